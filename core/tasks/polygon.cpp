@@ -12,7 +12,6 @@
 
 #include "mesh/vectors.h"
 #include "support/error.h"
-#include "tasks/cut.h"
 #include "tasks/path_through.h"
 
 namespace vorogeo {
@@ -173,7 +172,8 @@ GeodesicPolygon geodesic_polygon(Surface& surface, const PointList& given, const
     lines.push_back(leg.path.points);
   }
   const Watch watch(options.progress, "Polygon");
-  const CutMesh cut = cut_along(mesh, lines);
+  polygon.cut = cut_along(mesh, lines);
+  const CutMesh& cut = polygon.cut;
   require_simple(cut.lines);
   const CutSurface parts(mesh, cut);
 
@@ -224,6 +224,7 @@ GeodesicPolygon geodesic_polygon(Surface& surface, const PointList& given, const
       continue;
     }
     ++euler;
+    polygon.cut_faces.push_back(static_cast<Index>(f));
     is_whole[cut.face_of[f]] = true;
     const auto corners = parts.corners(static_cast<Index>(f));
     for (int i = 0; i < 3; ++i) angle[cut.faces[f][i]] += angle_at(corners, i);

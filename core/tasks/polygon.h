@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "tasks/cut.h"
 #include "tasks/workers.h"
 
 namespace vorogeo {
@@ -18,9 +19,11 @@ struct GeodesicPolygon {
   /// of its border at points and vertices. Not 0 beyond rounding only if legs bend elsewhere, as where the
   /// metric jumps.
   double gauss_bonnet = 0.0;
-  std::vector<Index> vertices;  ///< inside, not on the border; ascending
-  std::vector<Index> faces;     ///< as given, all of which are inside; ascending
-  std::vector<ExactPath> legs;  ///< from each point to the next, the last one to the first
+  std::vector<Index> vertices;   ///< inside, not on the border; ascending
+  std::vector<Index> faces;      ///< as given, all of which are inside; ascending
+  std::vector<ExactPath> legs;   ///< from each point to the next, the last one to the first
+  CutMesh cut;                   ///< along the legs
+  std::vector<Index> cut_faces;  ///< of it, those inside; ascending
 };
 
 /// From each point to the next by the shortest path, and back to the first. Neighbouring legs may begin

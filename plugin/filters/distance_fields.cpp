@@ -12,9 +12,9 @@
 
 #include "filters/rows.h"
 #include "layers/answering.h"
+#include "layers/curves.h"
 #include "layers/points.h"
 #include "layers/results.h"
-#include "mesh/mesh_input.h"
 #include "support/error.h"
 #include "tasks/curve_sources.h"
 #include "tasks/directions.h"
@@ -209,12 +209,6 @@ Results distances_from_border(FilterCall& call) {
 
 // ---- Distance from the points or lines of another layer, or from edges
 
-RichLength spacing_parameter(const MeshDocument& document) {
-  return length_parameter(
-      document, "spacing", 0.0, "Spacing",
-      "Distances start at points along lines at most this far apart; 0: a quarter of the typical edge.");
-}
-
 RichParameterList from_layer_parameters(const MeshDocument& document) {
   return list_of(source_layer_parameter(document, "points or lines"), method_and_max_distance(document),
                  max_snap_distance_parameter(document), spacing_parameter(document),
@@ -228,46 +222,12 @@ RichParameterList from_edges_parameters(const MeshDocument& document) {
       method_and_max_distance(document), spacing_parameter(document));
 }
 
-double spacing_of(const FilterCall& call, const Mesh& mesh) {
-  const double spacing = length_of(call, "spacing", true);
-  return spacing > 0.0 ? spacing : 0.25 * mesh.typical_edge_length();
-}
-
 Results distances_from_layer(FilterCall& call) {
   const auto layer = layer_of(call);
-  const auto mesh = layer->mesh();
-  const CMeshO& points = other_layer(call, "source_layer", "points or lines").cm;
-  PointSnapper snapper(call, *layer);
-  const bool with_offsets = call.parameters.getBool("quality_as_offset");
-  const double spacing = spacing_of(call, *mesh);
-  std::vector<ExactSource> sources;
-  std::vector<Index> numbers;
-  auto add = [&](const Point& at, double offset, std::size_t number) {
-    sources.push_back({snapper.snap_vertex(at, number, "source_layer"), offset});
-    numbers.push_back(static_cast<Index>(number));
-  };
-  auto offset = [&](const CVertexO& v) { return with_offsets ? static_cast<double>(v.cQ()) : 0.0; };
-  for (std::size_t v = 0; v < points.vert.size(); ++v) {
-    if (!points.vert[v].IsD()) add(position_of(points.vert[v]), offset(points.vert[v]), v);
-  }
-  for (const auto& edge : points.edge) {
-    if (edge.IsD()) continue;
-    const CVertexO& a = *edge.cV(0);
-    const CVertexO& b = *edge.cV(1);
-    const auto between = points_between(position_of(a), position_of(b), spacing);
-    for (std::size_t i = 0; i < between.size(); ++i) {
-      const double t = static_cast<double>(i + 1) / static_cast<double>(between.size() + 1);
-      const CVertexO& nearer = t < 0.5 ? a : b;
-      add(between[i], std::lerp(offset(a), offset(b), t),
-          static_cast<std::size_t>(&nearer - points.vert.data()));
-    }
-  }
-  if (sources.empty()) {
-    throw InvalidInput("Layer " + std::to_string(call.parameters.getMeshId("source_layer")) +
-                       " has no vertex. Choose a layer with points or lines.");
-  }
-  Results results = write_distance_field(call, *layer, sources, method_of(call), numbers);
-  results["snap_distance"] = snapper.farthest();
+  const CurveSources curve = sources_of_layer(call, *layer, "source_layer", spacing_of(call, *layer->mesh()),
+                                              call.parameters.getBool("quality_as_offset"));
+  Results results = write_distance_field(call, *layer, curve.sources, method_of(call), curve.numbers);
+  results["snap_distance"] = curve.snap_distance;
   return results;
 }
 
@@ -275,24 +235,17 @@ Results distances_from_edges(FilterCall& call) {
   const auto layer = layer_of(call);
   const auto mesh = layer->mesh();
   const bool from_border = call.parameters.getBool("from_border");
-  std::vector<bool> chosen(static_cast<std::size_t>(mesh->edge_count()), false);
-  for (Index e = 0; from_border && e < mesh->edge_count(); ++e) chosen[e] = mesh->is_border_edge(e);
-  for (Index f = 0; !from_border && f < mesh->first_bridge(); ++f) {
-    for (int i = 0; i < 3; ++i) {
-      if (!call.layer.cm.face[layer->host_face(*mesh, f)].IsFaceEdgeS(i)) continue;
-      const auto& corners = mesh->given_corners(f);
-      for (Index e : InputMap(*mesh).edges_between(corners[i], corners[(i + 1) % 3])) chosen[e] = true;
-    }
-  }
   std::vector<Index> edges;
-  for (Index e = 0; e < mesh->edge_count(); ++e) {
-    if (chosen[e]) edges.push_back(e);
-  }
-  if (edges.empty()) {
-    throw InvalidInput(
-        from_border ? "The surface has no border: every edge has two faces. Select edges instead."
-                    : "No edge is selected. Select edges, for example with 'Select Crease Edges', or set " +
-                          named(call, "from_border") + ".");
+  if (from_border) {
+    for (Index e = 0; e < mesh->edge_count(); ++e) {
+      if (mesh->is_border_edge(e)) edges.push_back(e);
+    }
+    if (edges.empty()) {
+      throw InvalidInput("The surface has no border: every edge has two faces. Select edges instead.");
+    }
+  } else {
+    edges =
+        edges_of_curve(*mesh, selected_edges(call, *layer, *mesh, "set " + named(call, "from_border") + "."));
   }
   const auto sources = sources_along_edges(*mesh, edges, spacing_of(call, *mesh));
   std::vector<Index> numbers(sources.size());
@@ -305,68 +258,140 @@ Results distances_from_edges(FilterCall& call) {
 // ---- Directions from a point
 
 RichParameterList directions_parameters(const MeshDocument& document) {
-  return list_of(start_parameters(document, "Where paths start: at the nearest point of the surface"),
-                 length_parameter(
-                     document, "radius", 0.1, "Radius (0: no limit)",
-                     "Greatest geodesic distance, half of what the texture coordinates span; 0: that of the "
-                     "farthest vertex."));
+  return list_of(
+      start_parameters(document, "Where paths start: at the nearest point of the surface"),
+      length_parameter(document, "radius", 0.1, "Radius (0: no limit)",
+                       "Greatest geodesic distance; 0: that of the farthest vertex."),
+      RichFloat("rotation", 0, "Rotation", "How far the picture is turned counter-clockwise, in degrees."),
+      RichFloat("scale", 1, "Scale", "Width of the picture, in diameters of the disk of the radius."),
+      RichInt("rings", 10, "Rings (0: none)",
+              "Rings of equal width up to the radius, alternately light and dark."),
+      RichBool("per_wedge", false, "Per wedge",
+               "Write the texture coordinates of the corners of faces, not of vertices: faces that reach "
+               "beyond the radius stay free of the picture."));
+}
+
+/// By how much the lengths of edges in the plane of a map differ from those on the surface, relative to them:
+/// in the mean over all lengths, and at most. Edges with an end that has no distance do not count.
+struct Distortion {
+  double mean = 0.0;
+  double largest = 0.0;
+};
+
+Distortion distortion_of(const Mesh& mesh, const LogMap& map) {
+  Distortion distortion;
+  double total = 0.0;
+  for (Index e = 0; e < mesh.edge_count(); ++e) {
+    const auto [a, b] = mesh.edge_vertices(e);
+    const double length = mesh.edge_length(e);
+    if (!std::isfinite(map.distance[a] + map.distance[b]) || !(length > 0.0)) continue;
+    const double in_plane =
+        std::hypot(map.vector[b][0] - map.vector[a][0], map.vector[b][1] - map.vector[a][1]);
+    total += length;
+    distortion.mean += std::abs(in_plane - length);
+    distortion.largest = std::max(distortion.largest, std::abs(in_plane - length) / length);
+  }
+  if (total > 0.0) distortion.mean /= total;
+  return distortion;
+}
+
+/// A finite value. \throw InvalidInput.
+double finite_value(const FilterCall& call, const char* parameter, bool above_0) {
+  const double value = call.parameters.getFloat(parameter);
+  if (std::isfinite(value) && (value > 0.0 || !above_0)) return value;
+  refuse(call, parameter, value, above_0 ? ". Give a number above 0." : ". Give a finite number.");
 }
 
 Results directions_from_point(FilterCall& call) {
   const auto layer = layer_of(call);
   const auto mesh = layer->mesh();
   const double radius = length_of(call, "radius", true);
+  const double turn = finite_value(call, "rotation", false) * std::numbers::pi / 180.0;
+  const double scale = finite_value(call, "scale", true);
+  const int rings = number_of(call, "rings", 0, ". Give 0 or a positive number.");
+  const bool per_wedge = call.parameters.getBool("per_wedge");
   const SnappedPoint start = start_point(call, *layer);
   const auto ask = [&](Surface& surface, Answered& by, const Progress& progress) {
     return log_map(surface, start.point, std::nullopt, radius > 0.0 ? radius : unreachable,
                    TaskOptions{AnswerMethod::exact, progress, &by});
   };
-  auto [map, answered, results] = ask_surface(call, *layer, "Geodesic directions", ask);
+  auto answer = ask_surface(call, *layer, "Geodesic directions", ask);
+  const LogMap& map = answer.found;
   const Reach reach = reach_of(*mesh, {{start.point}}, map.distance);
-  rest_if_large(*layer, answered, reach.reached);
+  rest_if_large(*layer, answer.answered, reach.reached);
   call.progress.report(1.0, "Writing texture coordinates, quality and colours");
 
-  call.layer.updateDataMask(MeshModel::MM_VERTTEXCOORD | MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
   const double reached = radius > 0.0 ? radius : reach.largest;
-  const double scale = reached > 0.0 ? 0.5 / reached : 0.0;
+  const double per_width = reached > 0.0 ? 0.5 / (reached * scale) : 0.0;
+  const double across = per_width * std::cos(turn);
+  const double along = per_width * std::sin(turn);
+  const auto is_reached = [&](Index v) { return std::isfinite(map.distance[v]); };
+  const auto place = [&](Index v) -> vcg::TexCoord2<float> {
+    if (!is_reached(v)) return {0.0F, 0.0F};
+    const auto [x, y] = map.vector[v];
+    return {static_cast<float>(0.5 + across * x + along * y),
+            static_cast<float>(0.5 - along * x + across * y)};
+  };
+  call.layer.updateDataMask((per_wedge ? MeshModel::MM_WEDGTEXCOORD : MeshModel::MM_VERTTEXCOORD) |
+                            MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
   for (Index v = 0; v < mesh->given_vertex_count(); ++v) {
     CVertexO& vertex = call.layer.cm.vert[layer->host_vertex(v)];
-    vertex.T() = {0.0F, 0.0F};
+    if (!per_wedge) vertex.T() = place(v);
     vertex.Q() = static_cast<Scalarm>(quality_without_distance);
     vertex.C() = grey();
-    if (!std::isfinite(map.distance[v])) continue;
+    if (!is_reached(v)) continue;
     const auto [x, y] = map.vector[v];
     const double angle = std::atan2(y, x);
-    const double turn = angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle;
-    vertex.T() = {static_cast<float>(0.5 + scale * x), static_cast<float>(0.5 + scale * y)};
-    vertex.Q() = static_cast<Scalarm>(turn);
-    vertex.C() = color_of_angle(turn);
+    const double direction = angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle;
+    const double ring =
+        reached > 0.0 ? std::min(std::floor(rings * map.distance[v] / reached), rings - 1.0) : 0.0;
+    vertex.Q() = static_cast<Scalarm>(direction);
+    vertex.C() = color_of_angle(direction, std::fmod(ring, 2.0) == 1.0);
   }
+  for (std::size_t f = 0; per_wedge && f < layer->arrays().faces.size(); ++f) {
+    const auto& corners = layer->arrays().faces[f];
+    const bool is_inside = std::ranges::all_of(corners, is_reached);
+    for (int i = 0; i < 3; ++i) {
+      call.layer.cm.face[layer->arrays().input_of_face[f]].WT(i) =
+          is_inside ? place(corners[i]) : vcg::TexCoord2<float>(0.0F, 0.0F);
+    }
+  }
+  const Distortion distortion = distortion_of(*mesh, map);
   std::ostringstream text;
   text << "Directions of paths to " << reach.reached << " vertices, the farthest "
-       << logged_length(reach.largest) << " away, in " << std::setprecision(3) << answered.seconds << " s";
+       << logged_length(reach.largest) << " away, in " << std::setprecision(3) << answer.answered.seconds
+       << " s; lengths in the picture differ by " << 100.0 * distortion.mean << " % in the mean, at most by "
+       << 100.0 * distortion.largest << " %";
   call.log(text.str());
+  Results results = std::move(answer.about);
   results.merge(about_reach(call, reach, "radius"));
   results.merge(about_start(*layer, *mesh, start));
-  results["seconds"] = answered.seconds;
+  results["mean_distortion"] = distortion.mean;
+  results["max_distortion"] = distortion.largest;
+  results["seconds"] = answer.answered.seconds;
   return results;
 }
 
 QString help_on_directions() {
   return "<p>The directions in which the shortest paths from a given point to all vertices begin: the "
          "logarithmic map of the point. The texture coordinates of each vertex are its place on the plane "
-         "that touches the surface at the point, so that a picture can be laid onto the surface there: the "
-         "point is at (0.5, 0.5), <b>Radius</b> is half the width of the picture, and a step away from the "
-         "point keeps its length and its direction. The quality is the angle of the direction, from 0 to 2 "
-         "pi; it is shown as a colour wheel. Vertices that no path leads to, or only one longer than the "
+         "that touches the surface at the point, so that a picture can be laid onto the surface there, as a "
+         "decal: the point is at (0.5, 0.5), and a step away from it keeps its length and its direction. The "
+         "picture is <b>Scale</b> times as wide as the disk of the <b>Radius</b>; <b>Rotation</b> turns it. "
+         "The quality is the angle of the direction, from 0 to 2 pi; it is shown as a colour wheel, with "
+         "<b>Rings</b> of equal distance. Vertices that no path leads to, or only one longer than the "
          "radius, get texture coordinates (0, 0), quality <b>-1</b> and grey.</p><p>Paths start at the point "
          "of the surface nearest to <b>Start point</b>, which need not be a vertex, or, if its number is "
          "given, at <b>Start vertex</b>. Angles grow counter-clockwise as seen from the front of the faces; "
          "at a vertex they begin at the edge that leaves it in its last face, on a border at the border edge "
          "after which its faces follow, and are scaled so that they sum to 2 pi (on a border, to pi); in a "
          "face they begin at the side from its first corner to its second.</p><p>How to choose: exact up to "
-         "rounding, without an index; <b>Radius</b> shortens the propagation. The larger it is on a curved "
-         "surface, the more the picture is stretched away from the point.</p><p>See:<br/><i>Joseph S. B. "
+         "rounding, without an index; <b>Radius</b> shortens the propagation. With <b>Per wedge</b>, faces "
+         "that reach beyond the radius have texture coordinates (0, 0) at all corners; otherwise they hold a "
+         "smeared rim of the picture. To keep all of a picture, take a radius a little larger and a scale "
+         "that much smaller. On a curved surface the picture is stretched away from the point: "
+         "<i>mean_distortion</i> and <i>max_distortion</i> say by what fraction the lengths of edges in the "
+         "picture differ from those on the surface.</p><p>See:<br/><i>Joseph S. B. "
          "Mitchell, David M. Mount, Christos H. Papadimitriou</i><br/><b>\"The discrete geodesic "
          "problem\"</b><br/>SIAM Journal on Computing 16(4), 1987.<br/><i>Ryan Schmidt, Cindy Grimm, Brian "
          "Wyvill</i><br/><b>\"Interactive decal compositing with discrete exponential maps\"</b><br/>ACM "
@@ -448,7 +473,8 @@ std::vector<FilterRow> distance_rows() {
        "compute_scalar_by_vorogeo_directions_from_given_point_per_vertex", help_on_directions(),
        FilterPlugin::FilterClass(FilterPlugin::Texture | FilterPlugin::VertexColoring |
                                  FilterPlugin::Quality),
-       MeshModel::MM_VERTTEXCOORD | MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR,
+       MeshModel::MM_VERTTEXCOORD | MeshModel::MM_WEDGTEXCOORD | MeshModel::MM_VERTQUALITY |
+           MeshModel::MM_VERTCOLOR,
        directions_parameters, directions_from_point}};
 }
 

@@ -1,5 +1,5 @@
-// Filters for paths: the distance of two points; shortest paths between two and through several points, and
-// girths, as layers.
+// Filters for paths: the distance of two points; shortest paths between two and through several points, tight
+// curves, loops and girths, as layers.
 #include <cmath>
 #include <iomanip>
 #include <optional>
@@ -8,10 +8,12 @@
 #include "filters/rows.h"
 #include "host/ticking.h"
 #include "layers/answering.h"
+#include "layers/curves.h"
 #include "layers/path_lines.h"
 #include "layers/points.h"
 #include "layers/results.h"
 #include "tasks/girth.h"
+#include "tasks/loops.h"
 #include "tasks/path_through.h"
 
 namespace vorogeo::plugin {
@@ -61,7 +63,7 @@ Results distance_between_points(FilterCall& call) {
 
 /// Adds a path as a layer, in which the vertices are selected from which a step runs over a gap; logs its
 /// length. \return length, certified, points, steps_over_gaps, gap_length.
-Results add_path_layer(FilterCall& call, const Mesh& mesh, const ExactPath& result) {
+Results add_path_layer(FilterCall& call, const char* name, const Mesh& mesh, const ExactPath& result) {
   const PathLines polyline = lines_of(mesh, result.path);
   const std::vector<bool> over_gap = steps_over_gaps(mesh, result.path.points);
   double gap_length = 0.0;
@@ -75,9 +77,9 @@ Results add_path_layer(FilterCall& call, const Mesh& mesh, const ExactPath& resu
   if (polyline.lines.points.empty()) {
     text << "No path: the points lie in different components";
   } else {
-    add_polyline_layer(call.document, call.layer, "Geodesic path", polyline.lines, polyline.along, true);
-    text << "Path of length " << logged_length(result.path.length) << " over " << polyline.lines.points.size()
-         << " points";
+    add_polyline_layer(call.document, call.layer, name, polyline.lines, polyline.along, true);
+    text << name << " of length " << logged_length(result.path.length) << " over "
+         << polyline.lines.points.size() << " points";
     if (!marked.empty()) {
       text << "; " << marked.size() << " of its steps run over gaps, a length of "
            << logged_length(gap_length) << ", from selected vertices";
@@ -115,7 +117,7 @@ Results draw_path(FilterCall& call) {
   auto answer = ask_surface(call, *layer, "Shortest path", ask);
   rest_if_large(*layer, answer.answered, mesh->vertex_count());
   call.progress.report(1.0, "Shortest path");
-  Results results = add_path_layer(call, *mesh, answer.found);
+  Results results = add_path_layer(call, "Geodesic path", *mesh, answer.found);
   results["seconds"] = answer.answered.seconds;
   results.merge(about_end_points(ends));
   results.merge(answer.about);
@@ -137,9 +139,40 @@ Results draw_path_through(FilterCall& call) {
   auto [whole, answered, results] = ask_surface(call, *layer, "Shortest path through points", ask);
   rest_if_large(*layer, answered, layer->mesh()->vertex_count());
   call.progress.report(1.0, "Shortest path through points");
-  results.merge(add_path_layer(call, *layer->mesh(), whole));
+  results.merge(add_path_layer(call, "Geodesic path", *layer->mesh(), whole));
   results["seconds"] = answered.seconds;
   results["snap_distance"] = points.snap_distance;
+  return results;
+}
+
+// ---- Filters: closed curves pulled tight, and shortest loops through a point, as polyline layers
+
+Results draw_tight_curve(FilterCall& call) {
+  const auto layer = layer_of(call);
+  const TaskPoints curve = curve_in_order(call, *layer);
+  const auto ask = [&](Surface& surface, Answered& by, const Progress& progress) {
+    return tighten(surface, curve.points, TaskOptions{AnswerMethod::automatic, progress, &by});
+  };
+  auto [loop, answered, results] = ask_surface(call, *layer, "Pulling the curve tight", ask);
+  call.progress.report(1.0, "Pulling the curve tight");
+  results.merge(add_path_layer(call, "Tight curve", *layer->mesh(), loop));
+  results["seconds"] = answered.seconds;
+  results["snap_distance"] = curve.snap_distance;
+  return results;
+}
+
+Results draw_shortest_loop(FilterCall& call) {
+  const auto layer = layer_of(call);
+  const SnappedPoint start = start_point(call, *layer);
+  const auto ask = [&](Surface& surface, Answered& by, const Progress& progress) {
+    return shortest_loop(surface, start.point, {}, TaskOptions{AnswerMethod::exact, progress, &by});
+  };
+  auto [loop, answered, results] = ask_surface(call, *layer, "Shortest loop", ask);
+  rest_if_large(*layer, answered, layer->mesh()->vertex_count());
+  call.progress.report(1.0, "Shortest loop");
+  results.merge(add_path_layer(call, "Shortest loop", *layer->mesh(), loop));
+  results["seconds"] = answered.seconds;
+  results.merge(about_start(*layer, *layer->mesh(), start));
   return results;
 }
 
@@ -223,6 +256,38 @@ std::vector<FilterRow> path_rows() {
            "<i>certified</i>: proven to be the shortest through these points.</p>" +
            references_of_index(),
        FilterPlugin::Measure, MeshModel::MM_NONE, path_through_parameters, draw_path_through},
+      {"Closed curve pulled tight (VoroGeo)", "generate_polyline_by_vorogeo_tight_curve",
+       "<p>Pulls a closed curve tight, as a rubber band, until it is a closed geodesic: straight over the "
+       "surface all the way round. It slides to the nearest place where it cannot become shorter, such as "
+       "the neck of a vase; another curve that goes round likewise may be shorter. The result is a new "
+       "polyline layer, which becomes the current one; the quality of its vertices is the length up to "
+       "there.</p>" +
+           help_on_curve() +
+           "<p>How to choose: the curve is one line that does not branch; an open one is closed by the "
+           "shortest path from its end to its beginning, and points of a layer without lines are joined in "
+           "their order. Where points lie so far apart that they share no face, shortest paths join them. "
+           "It must go round something that holds it: a handle, a border, a limb behind a neck. Where it "
+           "slips off, that is an error, which says where.</p><p>Returns the <i>length</i>, the number of "
+           "<i>points</i>, and <i>snap_distance</i>. The mesh is not changed.</p><p>See:<br/><i>George D. "
+           "Birkhoff</i><br/><b>\"Dynamical systems with two degrees of freedom\"</b><br/>Transactions of "
+           "the American Mathematical Society 18(2), 1917.</p>",
+       FilterPlugin::Measure, MeshModel::MM_NONE, curve_parameters, draw_tight_curve},
+      {"Shortest loop through a point (VoroGeo)", "generate_polyline_by_vorogeo_shortest_loop",
+       "<p>The shortest closed curve through a point that cannot be contracted to it: round a handle, round "
+       "a tunnel, or between two borders. The result is a new polyline layer, which becomes the current one; "
+       "the quality of its vertices is the length up to there.</p><p>The loop goes through the point of the "
+       "surface nearest to <b>Start point</b>, which need not be a vertex, or, if its number is given, "
+       "through <b>Start vertex</b>. There it may bend; elsewhere it is straight.</p><p>How to choose: on a "
+       "surface without handles and with at most one border, such as a ball, every loop contracts, which is "
+       "an error; take <i>Geodesic girth at a point (VoroGeo)</i> there. Exact, without an index.</p>"
+       "<p>Returns the <i>length</i> and the number of <i>points</i>. The mesh is not changed.</p>"
+       "<p>See:<br/><i>Jeff Erickson, Sariel Har-Peled</i><br/><b>\"Optimally cutting a surface into a "
+       "disk\"</b><br/>Discrete and Computational Geometry 31(1), 2004.</p>",
+       FilterPlugin::Measure, MeshModel::MM_NONE,
+       [](const MeshDocument& document) {
+         return start_parameters(document, "What the loop goes through: the nearest point of the surface");
+       },
+       draw_shortest_loop},
       {"Geodesic girth at a point (VoroGeo)", "generate_polyline_by_vorogeo_girth",
        "<p>How far it is round a limb, in three ways, each as a new polyline layer whose quality is the "
        "length so far. The <i>section</i>, which becomes the current layer, is where a plane through the "

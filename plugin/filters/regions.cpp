@@ -1,5 +1,5 @@
-// Filters that divide the surface: Voronoi regions, patches in colours, isolines and cuts along them, extent
-// and disks.
+// Filters that divide the surface: Voronoi regions, patches in colours, isolines and cuts along them,
+// polygons, extent, disks and bands.
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +11,8 @@
 #include "filters/rows.h"
 #include "host/ticking.h"
 #include "layers/answering.h"
+#include "layers/curves.h"
+#include "layers/path_lines.h"
 #include "layers/points.h"
 #include "layers/results.h"
 #include "mesh/mesh_input.h"
@@ -20,6 +22,7 @@
 #include "tasks/bands.h"
 #include "tasks/cut.h"
 #include "tasks/extent.h"
+#include "tasks/polygon.h"
 #include "tasks/surface_lines.h"
 #include "tasks/voronoi_regions.h"
 
@@ -227,7 +230,7 @@ Results cut_along_isolines(FilterCall& call) {
           {"values", as_vector(values)}};
 }
 
-// ---- Filters: select a geodesic disk, measure its area, and bound the geodesic diameter and radius
+// ---- Filters: select a geodesic disk, and measure its area
 
 RichParameterList disk_parameters(const MeshDocument& document) {
   return list_of(length_parameter(document, "radius", 0.1, "Radius", "Greatest geodesic distance."),
@@ -286,6 +289,80 @@ Results measure_disk(FilterCall& call) {
   results["snap_distance"] = sources.snap_distance;
   return results;
 }
+
+// ---- Filter: the area of a band round a curve
+
+RichParameterList band_parameters(const MeshDocument& document) {
+  return list_of(length_parameter(document, "width", 0.02, "Width", "Greatest geodesic distance."),
+                 curve_parameters(document), spacing_parameter(document), exact_parameter());
+}
+
+Results measure_band(FilterCall& call) {
+  const auto layer = layer_of(call);
+  const double width = length_of(call, "width", true);
+  const CurveSources curve = points_along_curve(call, *layer, spacing_of(call, *layer->mesh()));
+  std::vector<SurfacePoint> points;
+  for (const ExactSource& source : curve.sources) points.push_back(source.point);
+  auto [found, answered, results] = ask_task(call, *layer, "Area of a band", band, PointList(points), width);
+  std::ostringstream text;
+  text << "Within " << logged_length(width) << " of the curve lies an area of " << std::setprecision(7)
+       << found.area << " square mesh units; its border is " << logged_length(found.border_length) << " long";
+  call.log(text.str());
+  results["area"] = found.area;
+  results["border_length"] = found.border_length;
+  results["snap_distance"] = curve.snap_distance;
+  return results;
+}
+
+// ---- Filter: a polygon of shortest paths
+
+RichParameterList polygon_parameters(const MeshDocument& document) {
+  return list_of(task_point_parameters(document, "corners of the polygon"),
+                 RichBool("cut_out", false, "Cut out", "Add the inside as a layer, cut along the border."));
+}
+
+Results draw_polygon(FilterCall& call) {
+  const auto layer = layer_of(call);
+  const auto mesh = layer->mesh();
+  const TaskPoints corners = task_points(call, *layer, "that are the corners of the polygon");
+  const bool cut_out = call.parameters.getBool("cut_out");
+  const auto ask = [&](Surface& surface, Answered& by, const Progress& progress) {
+    return geodesic_polygon(surface, corners.points, TaskOptions{AnswerMethod::automatic, progress, &by});
+  };
+  auto [polygon, answered, results] = ask_surface(call, *layer, "Polygon of shortest paths", ask);
+  rest_if_large(*layer, answered, mesh->vertex_count());
+  call.progress.report(1.0, "Polygon of shortest paths");
+  SurfacePath border;
+  for (const ExactPath& leg : polygon.legs) {
+    // Each begins where the one before it ends.
+    const auto begin = leg.path.points.begin() + (border.points.empty() ? 0 : 1);
+    border.points.insert(border.points.end(), begin, leg.path.points.end());
+  }
+  for (CFaceO& face : call.layer.cm.face) {
+    if (!face.IsD()) face.ClearS();
+  }
+  for (const Index f : polygon.faces) call.layer.cm.face[layer->arrays().input_of_face[f]].SetS();
+  const PathLines line = lines_of(*mesh, border);
+  add_polyline_layer(call.document, call.layer, "Geodesic polygon", line.lines, line.along, true);
+  if (cut_out) add_part_layer(call, "Polygon: inside", *layer, *mesh, polygon.cut, polygon.cut_faces);
+  std::ostringstream text;
+  text << "Polygon of " << corners.size() << " " << corners.what << ": area " << std::setprecision(7)
+       << polygon.area << " square mesh units, perimeter " << logged_length(polygon.perimeter) << "; "
+       << polygon.faces.size() << " faces inside are selected";
+  call.log(text.str());
+  results["area"] = polygon.area;
+  results["perimeter"] = polygon.perimeter;
+  results["angles"] = as_vector(polygon.angles);
+  results["curvature"] = polygon.curvature;
+  results["gauss_bonnet"] = polygon.gauss_bonnet;
+  results["vertices"] = as_vector(corners.numbers);
+  results["selected_faces"] = static_cast<int>(polygon.faces.size());
+  results["snap_distance"] = corners.snap_distance;
+  results["seconds"] = answered.seconds;
+  return results;
+}
+
+// ---- Filter: bounds of the geodesic diameter and radius
 
 RichParameterList extent_parameters(const MeshDocument&) {
   return list_of(RichInt("fields", 20, "Fields", "Distance fields that may be computed, at least 2."),
@@ -388,6 +465,34 @@ std::vector<FilterRow> region_rows() {
        "changed.</p><p>Returns <i>area</i> and <i>border_length</i>.</p>" +
            help_on_task_points() + help_on_exact_parameter() + references_of_index(),
        FilterPlugin::Measure, MeshModel::MM_NONE, disk_parameters, measure_disk},
+      {"Area of a band round a curve (VoroGeo)", "get_vorogeo_area_of_band",
+       "<p>The area of the surface within the geodesic distance <b>Width</b> of a curve, on both sides of it "
+       "and round its ends; and the length of its border, to which borders of the mesh do not count. Faces "
+       "that the border crosses count in part. The mesh is not changed.</p>" +
+           help_on_curve() +
+           "<p>How to choose: the curve may be open and in several parts. It counts as points at most "
+           "<b>Spacing</b> apart: the border then has dents of at most spacing<sup>2</sup> / (8 width), and "
+           "0 is a quarter of the typical edge.</p><p>Returns <i>area</i>, <i>border_length</i> and "
+           "<i>snap_distance</i>.</p>" +
+           help_on_exact_parameter() + references_of_index(),
+       FilterPlugin::Measure, MeshModel::MM_NONE, band_parameters, measure_band},
+      {"Polygon of shortest paths (VoroGeo)", "generate_polyline_by_vorogeo_polygon",
+       "<p>A polygon whose sides are the shortest paths from each point to the next, and from the last to "
+       "the first: its area, perimeter and angles. The border is a new polyline layer, which becomes the "
+       "current one; the quality of its vertices is the length up to there. The faces that are whole inside "
+       "are selected, no others. With <b>Cut out</b>, the inside becomes a layer as well: faces are divided "
+       "where the border crosses them, and keep colours, quality, normals and texture coordinates.</p>" +
+           help_on_task_points() +
+           "<p>How to choose: give three points or more in an order in which no sides cross, by "
+           "<b>Surface points</b> or a point layer: selected vertices come in the order of their numbers. "
+           "The inside is the side without a border of the surface or, if both or none have one, the "
+           "smaller one. Sides are exact; an index only makes them faster.</p><p>Returns <i>area</i>, "
+           "<i>perimeter</i>, the <i>angles</i> at the points in radians, the <i>curvature</i> (sum of angle "
+           "defects inside), <i>gauss_bonnet</i> (what is left of the theorem: 0 but for rounding) and "
+           "<i>selected_faces</i>.</p>" +
+           references_of_index(),
+       FilterPlugin::FilterClass(FilterPlugin::Measure | FilterPlugin::Selection),
+       MeshModel::MM_FACEFLAGSELECT, polygon_parameters, draw_polygon},
       {"Geodesic diameter and centre (VoroGeo)", "get_vorogeo_diameter_and_centre",
        "<p>Bounds of the geodesic diameter of a component (the greatest distance of two of its vertices) and "
        "of its radius (the least distance within which a vertex reaches all others). After a double sweep, "

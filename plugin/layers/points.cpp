@@ -357,7 +357,12 @@ PointSnapper::PointSnapper(const FilterCall& call, LayerSurface& layer)
     : call_(call), locator_(layer.locator()), max_distance_(length_of(call, "max_snap_distance", true)) {}
 
 SnappedPoint PointSnapper::snap(const Point& at, const std::function<std::string()>& name, const char* it) {
-  const SnappedPoint found = locator_->nearest(at);
+  SnappedPoint found;
+  try {
+    found = locator_->nearest(at);
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(name() + ": " + error.what());
+  }
   if (max_distance_ > 0.0 && found.distance > max_distance_) {
     std::ostringstream text;
     text << name() << " is " << found.distance << " away from the surface, more than "

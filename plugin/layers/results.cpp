@@ -24,9 +24,9 @@ vcg::Color4b color_of_distance(double distance, double largest) {
   return color;
 }
 
-vcg::Color4b color_of_angle(double angle) {
+vcg::Color4b color_of_angle(double angle, bool is_dark) {
   vcg::Color4b color;
-  color.SetHSVColor(static_cast<float>(angle / (2.0 * std::numbers::pi)), 0.75F, 1.0F);
+  color.SetHSVColor(static_cast<float>(angle / (2.0 * std::numbers::pi)), 0.75F, is_dark ? 0.82F : 1.0F);
   return color;
 }
 

@@ -28,7 +28,7 @@ inline vcg::Color4b grey() { return {160, 160, 160, 255}; }
 vcg::Color4b color_of_distance(double distance, double largest);
 
 /// On the host's colour wheel, where `angle` is in [0, 2 pi].
-vcg::Color4b color_of_angle(double angle);
+vcg::Color4b color_of_angle(double angle, bool is_dark);
 
 /// Distances, one for each core vertex, as quality and colours. `host_vertices`: their numbers in the layer.
 void write_distances(MeshModel& layer, std::span<const Index> host_vertices,

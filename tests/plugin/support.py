@@ -40,12 +40,16 @@ EXTENT = "get_vorogeo_diameter_and_centre"
 FROM_LAYER = "compute_scalar_by_vorogeo_distance_from_layer_per_vertex"
 FROM_EDGES = "compute_scalar_by_vorogeo_distance_from_edges_per_vertex"
 PATH = "generate_polyline_by_vorogeo_geodesic_path"
+TIGHT = "generate_polyline_by_vorogeo_tight_curve"
+LOOP = "generate_polyline_by_vorogeo_shortest_loop"
+POLYGON = "generate_polyline_by_vorogeo_polygon"
+BAND = "get_vorogeo_area_of_band"
 PATH_THROUGH = "generate_polyline_by_vorogeo_path_through_points"
 GIRTH = "generate_polyline_by_vorogeo_girth"
 DIRECTIONS = "compute_scalar_by_vorogeo_directions_from_given_point_per_vertex"
 
 # What the host may take a filter to change.
-VERTEX_COLOR, VERTEX_QUALITY, VERTEX_TEXTURE, FACE_COLOR = 0x8, 0x10, 0x400, 0x8000
+VERTEX_COLOR, VERTEX_QUALITY, VERTEX_TEXTURE, FACE_COLOR, WEDGE_TEXTURE = 0x8, 0x10, 0x400, 0x8000, 0x200000
 VERTEX_SELECTION, FACE_SELECTION = 0x1000000, 0x2000000
 FIELD = VERTEX_COLOR | VERTEX_QUALITY
 TASK_POINTS = {"point_layer", "surface_points", "max_snap_distance"}
@@ -67,10 +71,15 @@ FILTERS: dict[str, tuple[set[str], int]] = {
         FIELD,
     ),
     FROM_EDGES: ({"from_border", "spacing", "method", "max_distance"}, FIELD),
-    DIRECTIONS: ({"start_point", "vertex_index", "radius"}, FIELD | VERTEX_TEXTURE),
+    DIRECTIONS: (
+        {"start_point", "vertex_index", "radius", "rotation", "scale", "rings", "per_wedge"},
+        FIELD | VERTEX_TEXTURE | WEDGE_TEXTURE,
+    ),
     TWO_POINTS: ({"method"} | END_POINTS, 0),
     PATH: ({"method", "exact", "certify"} | END_POINTS, 0),
     PATH_THROUGH: ({"closed"} | TASK_POINTS, 0),
+    TIGHT: ({"curve_layer", "max_snap_distance"}, 0),
+    LOOP: ({"start_point", "vertex_index"}, 0),
     GIRTH: ({"start_point", "vertex_index", "normal"}, 0),
     MATRIX: ({"matrix_file", "exact"} | TASK_POINTS, 0),
     PAIRS_WITHIN: ({"radius", "matrix_file", "exact"} | TASK_POINTS, 0),
@@ -81,6 +90,8 @@ FILTERS: dict[str, tuple[set[str], int]] = {
     CUT: ({"line_number", "values", "is_distance"}, 0),
     DISK: ({"radius", "vertex_index", "exact"} | TASK_POINTS, VERTEX_SELECTION | FACE_SELECTION),
     AREA: ({"radius", "vertex_index", "exact"} | TASK_POINTS, 0),
+    BAND: ({"width", "curve_layer", "max_snap_distance", "spacing", "exact"}, 0),
+    POLYGON: ({"cut_out"} | TASK_POINTS, FACE_SELECTION),
     EXTENT: ({"fields", "vertex_index", "exact"}, 0),
     FARTHEST: ({"sample_number", "radius", "from_selection", "seed", "exact"} | TASK_POINTS, 0),
     POISSON: ({"radius", "seed", "exact"}, 0),
@@ -93,7 +104,7 @@ ALL_FILTERS = [name for name in FILTERS if name not in (SAVE_INDEX, LOAD_INDEX)]
 FROM_A_POINT = [FROM_POINT, EXACT_FROM_POINT]
 FROM_A_SELECTION = [FROM_SELECTION, EXACT_FROM_SELECTION]
 FIELDS = [*FROM_A_POINT, *FROM_A_SELECTION, FROM_BORDER]
-OF_TASK_POINTS = [MATRIX, PAIRS_WITHIN, NEAREST, VORONOI, LLOYD, DISK, AREA, PATH_THROUGH]
+OF_TASK_POINTS = [MATRIX, PAIRS_WITHIN, NEAREST, VORONOI, LLOYD, DISK, AREA, PATH_THROUGH, POLYGON]
 
 PROJECT = Path(__file__).resolve().parents[2]
 
@@ -118,6 +129,16 @@ def grid(columns: int, rows: int, spacing: float = 1.0) -> Arrays:
         ]
     )
     return vertices.astype(float), faces.astype(np.int32)
+
+
+def tube(radii: list[float], sides: int = 12, height: float = 1.0) -> Arrays:
+    """Rings of a regular polygon one above the other, joined by triangles; open at both ends."""
+    turn = 2 * np.pi * np.arange(sides) / sides
+    ring = np.column_stack([np.cos(turn), np.sin(turn), np.zeros(sides)])
+    vertices = np.concatenate([ring * radius + [0, 0, height * k] for k, radius in enumerate(radii)])
+    i, j = np.arange(sides), np.roll(np.arange(sides), -1)
+    band = np.concatenate([np.column_stack([i, j, j + sides]), np.column_stack([i, j + sides, i + sides])])
+    return vertices, np.concatenate([band + sides * k for k in range(len(radii) - 1)]).astype(np.int32)
 
 
 def sphere(subdivisions: int) -> Arrays:

@@ -8,6 +8,7 @@ import pytest
 from support import (
     ALL_FILTERS,
     AREA,
+    BAND,
     COMPARISON,
     CUT,
     DIRECTIONS,
@@ -26,6 +27,7 @@ from support import (
     ISOLINES,
     LLOYD,
     LOAD_INDEX,
+    LOOP,
     MATRIX,
     METHOD_TABLE,
     NEAREST,
@@ -35,7 +37,9 @@ from support import (
     PATH,
     PATH_THROUGH,
     POISSON,
+    POLYGON,
     SAVE_INDEX,
+    TIGHT,
     TWO_POINTS,
     VORONOI,
     fails_and_changes_nothing,
@@ -111,12 +115,12 @@ REFUSED = [
             {"vertex_index": n},
             f'"Start vertex" (vertex_index) is {n}, but the vertices of the current layer are numbered from 0 to 15',
         )
-        for name in (*FROM_A_POINT, COMPARISON, DIRECTIONS, GIRTH)
+        for name in (*FROM_A_POINT, COMPARISON, DIRECTIONS, GIRTH, LOOP)
         for n in (-2, 16, 2**31 - 1)
     ],
     *[
         (name, {"start_point": [0, np.nan, 0]}, "(start_point) has a coordinate that is NaN")
-        for name in (*FROM_A_POINT, DIRECTIONS, GIRTH)
+        for name in (*FROM_A_POINT, DIRECTIONS, GIRTH, LOOP)
     ],
     *[
         (name, {"max_distance": length(value)}, f"(max_distance) is {value}")
@@ -167,6 +171,27 @@ REFUSED = [
     (GIRTH, {"vertex_index": 5}, "is not closed: it meets the border at the edge between"),
     (GIRTH, {"vertex_index": 5, "normal": [0, 0, 1]}, "The plane only touches the surface at vertex 5"),
     (GIRTH, {"vertex_index": 5, "normal": [np.nan, 0, 0]}, "The normal of the plane has length nan"),
+    (LOOP, {"vertex_index": 5}, "Every loop through vertex 5 contracts to it"),
+    *[
+        (name, parameters, message)
+        for name in (TIGHT, BAND)
+        for parameters, message in [
+            ({}, "No edge is selected. Select edges, for example with 'Select Crease Edges', or choose a layer"),
+            ({"curve_layer": 7}, "(curve_layer) is 7, but there is no such layer"),
+            ({"curve_layer": 1, "max_snap_distance": NEAR}, "Vertex 0 of layer 1 is 0.5"),
+            ({"curve_layer": 2}, "Layer 2 has no vertex"),
+        ]
+    ],
+    (TIGHT, {"curve_layer": 1}, "The curve has 1 points; give at least two, in order"),
+    (BAND, {"curve_layer": 1, "width": NEGATIVE}, "(width) is -1"),
+    (BAND, {"curve_layer": 1, "spacing": NEGATIVE}, "(spacing) is -1"),
+    (POLYGON, {}, "A polygon has three points or more; there are 1"),
+    (POLYGON, {"surface_points": "0; 15; 3; 12"}, "Legs 0 and 2 of the polygon cross or touch"),
+    (POLYGON, {"surface_points": "0; 3; 3"}, "Points 1 and 2 of the polygon are the same"),
+    (DIRECTIONS, {"vertex_index": 5, "scale": 0}, '"Scale" (scale) is 0. Give a number above 0'),
+    (DIRECTIONS, {"vertex_index": 5, "scale": np.nan}, "(scale) is nan. Give a number above 0"),
+    (DIRECTIONS, {"vertex_index": 5, "rotation": np.inf}, "(rotation) is inf. Give a finite number"),
+    (DIRECTIONS, {"vertex_index": 5, "rings": -1}, "(rings) is -1. Give 0 or a positive number"),
     (METHOD_TABLE, {"methods": "walking"}, "The method walking is not known"),
     (METHOD_TABLE, {"methods": "svg(K)"}, "The list of methods cannot be read"),
     (METHOD_TABLE, {"sources": 0}, "Give 1 or more"),

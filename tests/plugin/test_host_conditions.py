@@ -7,6 +7,7 @@ import pymeshlab
 import pytest
 from support import (
     ALL_FILTERS,
+    BAND,
     COMPARISON,
     CUT,
     EXACT_FROM_POINT,
@@ -19,8 +20,11 @@ from support import (
     GIRTH,
     INDEX,
     LOAD_INDEX,
+    LOOP,
     NEAREST,
     PATCHES,
+    POLYGON,
+    TIGHT,
     TWO_POINTS,
     arrays,
     assert_close_to_exact,
@@ -32,27 +36,35 @@ from support import (
     mesh_set,
     select_vertices,
     sphere,
+    tube,
 )
 
 # What these filters need beyond a surface with a selection.
-NEEDED = {FROM_LAYER: "source_layer=1", NEAREST: "source_layer=1", FROM_EDGES: "from_border=true"}
+NEEDED = {
+    FROM_LAYER: "source_layer=1",
+    NEAREST: "source_layer=1",
+    FROM_EDGES: "from_border=true",
+    TIGHT: "curve_layer=1",
+    BAND: "curve_layer=1",
+    POLYGON: "point_layer=1",
+}
 
 
 def surface_for(name: str, size: float):
     """A mesh of its own for every test, so that no test finds the index of another, and a layer of points.
 
-    For a girth a ball: sections of a rectangle meet its border.
+    For a girth a ball: sections of a rectangle meet its border; for loops a tube, which the points lie around.
     """
-    vertices, faces = sphere(2) if name == GIRTH else grid(12, 12)
+    vertices, faces = sphere(2) if name == GIRTH else tube([1.0] * 8) if name in (TIGHT, LOOP) else grid(12, 12)
     vertices = vertices * size
     ms = mesh_set(vertices, faces)
     select_vertices(ms, [0, 50])
-    ms.add_mesh(pymeshlab.Mesh(vertices[[3, 40]]), "points", set_as_current=False)
+    ms.add_mesh(pymeshlab.Mesh(vertices[[3, 31, 47]]), "points", set_as_current=False)
     return ms
 
 
 def rectangle(size: float):
-    """The same for all filters but a girth."""
+    """The same for all filters but girths and loops."""
     return surface_for("", size)
 
 

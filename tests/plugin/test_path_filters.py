@@ -1,4 +1,4 @@
-"""The filters for shortest paths, girths and directions, and for sources that are points, lines or edges."""
+"""The filters for shortest paths, loops, girths and directions, and for sources that are points, lines or edges."""
 
 from __future__ import annotations
 
@@ -12,8 +12,10 @@ from support import (
     FROM_EDGES,
     FROM_LAYER,
     GIRTH,
+    LOOP,
     PATH,
     PATH_THROUGH,
+    TIGHT,
     exact_distances,
     fails_and_changes_nothing,
     field,
@@ -23,6 +25,7 @@ from support import (
     mesh_set,
     side_by_side,
     sphere,
+    tube,
 )
 
 
@@ -70,6 +73,94 @@ def test_no_path_through_points_of_two_components_is_refused():
     assert layer_count(ms) == 1
 
 
+def around(count, height, swing):
+    """Places around a tube, in its order: up and down twice."""
+    turn = 2 * np.pi * (np.arange(count) + 0.3) / count
+    return np.column_stack([np.cos(turn), np.sin(turn), height + swing * np.sin(2 * turn)])
+
+
+@pytest.mark.parametrize("lines", ["closed", "open", "none", "with an end of its own"])
+def test_a_curve_round_a_tube_is_pulled_tight(lines):
+    """Straight all the way round is the way round at right angles to the axis, wherever it is."""
+    ms = mesh_set(*tube([1.0] * 9, sides=10))
+    count = 40
+    order = np.random.default_rng(3).permutation(count)  # the order of edges and vertices does not matter
+    place, at = around(count, 4.0, 1.5), np.argsort(order)
+    edges = np.column_stack([at, at[(np.arange(count) + 1) % count]])[order]
+    if lines == "open":
+        edges = edges[1:]
+    if lines == "none":
+        ms.add_mesh(pymeshlab.Mesh(place))
+    elif lines == "with an end of its own":
+        steps = np.arange(count)
+        ms.add_mesh(
+            pymeshlab.Mesh(
+                vertex_matrix=np.concatenate([place, place[:1]]), edge_matrix=np.column_stack([steps, steps + 1])
+            )
+        )
+    else:
+        ms.add_mesh(pymeshlab.Mesh(vertex_matrix=place[order], edge_matrix=edges))
+    ms.set_current_mesh(0)
+    found = ms.apply_filter(TIGHT, curve_layer=1)
+    assert found["length"] == pytest.approx(20 * np.sin(np.pi / 10), rel=1e-9)
+    assert 0 < found["snap_distance"] < 1 - np.cos(np.pi / 10) + 1e-9
+    assert (layer_count(ms), ms.current_mesh_id()) == (3, 2)
+    loop = ms.current_mesh()
+    assert loop.edge_number() == loop.vertex_number() - 1 == found["points"] - 1
+    assert np.ptp(loop.vertex_matrix()[:, 2]) < 1e-3  # what is that much longer is so by its square
+    np.testing.assert_allclose(loop.vertex_scalar_array()[-1], found["length"], rtol=1e-12)
+
+
+def test_selected_edges_are_pulled_tight():
+    """Those of the neck of an hourglass stay where they are: its faces open there on both sides."""
+    ms = mesh_set(*tube([2.0, 1.0, 2.0], sides=24))
+    ms.apply_filter("compute_selection_crease_per_edge", angledegneg=-30, angledegpos=30)
+    found = ms.apply_filter(TIGHT)
+    assert found["length"] == pytest.approx(48 * np.sin(np.pi / 24), rel=1e-9)
+    assert found["snap_distance"] == 0
+    np.testing.assert_allclose(ms.current_mesh().vertex_matrix()[:, 2], 1, atol=1e-9)
+
+
+RING = around(6, 4.0, 0.0)
+NEXT = np.column_stack([np.arange(6), (np.arange(6) + 1) % 6])
+NO_CURVES = [
+    (RING, [*NEXT, [0, 3]], "The curve branches: vertex 0 of layer 1 has 3 of its edges. Leave two of them."),
+    (
+        np.concatenate([RING, around(6, 5.0, 0.0)]),
+        [*NEXT, *NEXT + 6],
+        "The curve is in several parts: vertex 0 of layer 1 is on one of them, vertex 6 of layer 1 on another.",
+    ),
+    (RING[[0, 0, 0]], [[0, 1], [1, 2]], "The lines of layer 1 have no length"),
+    (np.where(np.arange(6)[:, None] == 2, np.nan, RING), NEXT, "Vertex 2 of layer 1: "),
+    (RING[:3], [[0, 1], [1, 2], [0, 2]], "The curve slips off: pulled tight, it contracts to a point"),
+    (RING + [10, 0, 0] * (np.arange(6) > 2)[:, None], NEXT, "No path leads from point "),
+]
+
+
+@pytest.mark.parametrize(("places", "edges", "message"), NO_CURVES)
+def test_what_is_no_closed_curve_is_refused(places, edges, message):
+    ms = mesh_set(*side_by_side(tube([1.0] * 9), tube([1.0] * 9)))
+    ms.add_mesh(pymeshlab.Mesh(vertex_matrix=np.asarray(places, float), edge_matrix=np.asarray(edges)))
+    ms.set_current_mesh(0)
+    with fails_and_changes_nothing(ms, message):
+        ms.apply_filter(TIGHT, curve_layer=1)
+    assert layer_count(ms) == 2
+
+
+def test_the_shortest_loop_through_a_point():
+    """Round a tube at right angles to its axis."""
+    vertices, faces = tube([1.0] * 9, sides=10)
+    ms = mesh_set(vertices, faces)
+    found = ms.apply_filter(LOOP, start_point=[0.9, 0.1, 3.3])
+    assert found["length"] == pytest.approx(20 * np.sin(np.pi / 10), rel=1e-9)
+    assert (found["start_vertex"], found["answered_by"]) == (-1, 2)
+    assert found["snap_distance"] > 0
+    assert (layer_count(ms), ms.current_mesh_id()) == (2, 1)
+    np.testing.assert_allclose(ms.current_mesh().vertex_matrix()[:, 2], 3.3, atol=1e-3)
+    ms.set_current_mesh(0)
+    assert ms.apply_filter(LOOP, vertex_index=42)["start_vertex"] == 42
+
+
 def prism():
     """Over an L, which is 8 round, ten high."""
     corners = np.array([[0, 0], [2, 0], [2, 1], [1, 1], [1, 2], [0, 2.0]])
@@ -107,12 +198,14 @@ def test_a_loop_that_slips_off_is_no_layer():
     assert layer_count(ms) == 3
 
 
-@pytest.mark.parametrize("radius", [0, 2.25])
-def test_directions_in_the_plane(radius):
+@pytest.mark.parametrize("per_wedge", [False, True])
+@pytest.mark.parametrize(("radius", "rotation", "scale", "rings"), [(0, 0, 1, 0), (2.25, -30, 0.5, 7)])
+def test_directions_in_the_plane(radius, rotation, scale, rings, per_wedge):
     vertices, faces = grid(12, 9, 0.5)
     centre = 4 * 13 + 6
     ms = mesh_set(vertices, faces)
-    found = ms.apply_filter(DIRECTIONS, vertex_index=centre, radius=length(radius))
+    picture = {"rotation": rotation, "scale": scale, "rings": rings, "per_wedge": per_wedge}
+    found = ms.apply_filter(DIRECTIONS, vertex_index=centre, radius=length(radius), **picture)
     # The frame: from the vertex to the next corner of the last face that has it.
     last = faces[np.flatnonzero((faces == centre).any(axis=1))[-1]]
     x = vertices[np.roll(last, -1)[last == centre][0]] - vertices[centre]
@@ -125,9 +218,18 @@ def test_directions_in_the_plane(radius):
     assert found["vertices_beyond_max_distance"] == (~reached).sum()
     assert found["max_distance"] == pytest.approx(distance[reached].max(), rel=1e-12)
     assert (found["start_vertex"], found["snap_distance"]) == (centre, 0)
+    assert max(found["mean_distortion"], found["max_distortion"]) < 1e-9
     mesh = ms.current_mesh()
-    expected = np.where(reached[:, None], 0.5 + vector / (2 * (radius or distance.max())), 0)
-    np.testing.assert_allclose(mesh.vertex_tex_coord_matrix(), expected, atol=1e-6)
+    largest = radius or distance.max()
+    back = np.radians(-rotation)  # the picture turns one way, what is seen in it the other
+    turned = vector @ np.array([[np.cos(back), np.sin(back)], [-np.sin(back), np.cos(back)]])
+    place = np.where(reached[:, None], 0.5 + turned / (2 * largest * scale), 0)
+    if per_wedge:
+        place = np.where(reached[faces].all(axis=1)[:, None, None], place[faces], 0).reshape(-1, 2)
+        np.testing.assert_allclose(mesh.wedge_tex_coord_matrix(), place, atol=1e-6)
+    else:
+        np.testing.assert_allclose(mesh.vertex_tex_coord_matrix(), place, atol=1e-6)
+    assert mesh.has_vertex_tex_coord() != per_wedge
     angle = np.arctan2(vector[:, 1], vector[:, 0])
     others = reached & (distance > 0)
     np.testing.assert_allclose(np.exp(1j * field(ms)[others]), np.exp(1j * angle[others]), atol=1e-9)
@@ -135,8 +237,20 @@ def test_directions_in_the_plane(radius):
     np.testing.assert_array_equal(field(ms)[~reached], -1)
     colors = mesh.vertex_color_matrix() * 255
     np.testing.assert_allclose(colors[~reached], np.tile([160, 160, 160, 255], (np.sum(~reached), 1)))
-    wheel = [colorsys.hsv_to_rgb(turn / (2 * np.pi), 0.75, 1) for turn in field(ms)[others]]
+    is_dark = np.floor(rings * distance / largest)[others] % 2 == 1
+    wheel = [
+        colorsys.hsv_to_rgb(turn / (2 * np.pi), 0.75, 0.82 if dark else 1)
+        for turn, dark in zip(field(ms)[others], is_dark, strict=True)
+    ]
     np.testing.assert_allclose(colors[others, :3], 255 * np.array(wheel), atol=1.01)
+
+
+def test_distortion_of_directions_from_a_corner():
+    """Three right angles around it are scaled to a full turn: sides of sqrt(2) become sqrt(3), edges at it stay."""
+    ms = mesh_set(np.eye(4, 3, -1), np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1]]))
+    found = ms.apply_filter(DIRECTIONS, vertex_index=0, radius=length(0))
+    assert found["max_distortion"] == pytest.approx(1.5**0.5 - 1, rel=1e-12)
+    assert found["mean_distortion"] == pytest.approx((3**0.5 - 2**0.5) / (1 + 2**0.5), rel=1e-12)
 
 
 @pytest.mark.parametrize("method", ["index", "exact"])

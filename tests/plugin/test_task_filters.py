@@ -12,6 +12,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 from support import (
     AREA,
+    BAND,
     CUT,
     DISK,
     EXACT_FROM_POINT,
@@ -26,6 +27,7 @@ from support import (
     PATCHES,
     PATH_THROUGH,
     POISSON,
+    POLYGON,
     TWO_POINTS,
     VORONOI,
     arrays,
@@ -224,6 +226,81 @@ def test_area_of_disks_of_the_plane(ms, points):
     assert found["snap_distance"] == pytest.approx(points.moved)
     found = ms.apply_filter(AREA, radius=length(1.2), vertex_index=7 * 21 + 10, exact=True)
     assert found["area"] == pytest.approx(np.pi * 1.2**2, rel=1e-4)
+
+
+@pytest.mark.parametrize("exact", [False, True])
+def test_area_of_a_band_round_a_line(ms, exact):
+    line, width = np.array([[1.0, 1.1, 0.2], [2.6, 1.9, 0.1]]), 0.3
+    ms.add_mesh(pymeshlab.Mesh(vertex_matrix=line, edge_matrix=np.array([[0, 1]])), set_as_current=False)
+    found = ms.apply_filter(BAND, curve_layer=2, width=length(width), spacing=length(0.01), exact=exact)
+    along = np.linalg.norm((line[1] - line[0])[:2])
+    assert found["area"] == pytest.approx(2 * width * along + np.pi * width**2, rel=1e-3)
+    assert found["border_length"] == pytest.approx(2 * along + 2 * np.pi * width, rel=3e-3)
+    assert found["snap_distance"] == pytest.approx(0.2)
+
+
+def test_area_of_a_band_round_selected_edges():
+    """The ridge of a roof: a strip on either side, as long as the ridge."""
+    vertices, faces = grid(20, 15, 0.2)
+    vertices[:, 2] = -np.abs(vertices[:, 0] - 2)
+    ms = mesh_set(vertices, faces)
+    ms.apply_filter("compute_selection_crease_per_edge", angledegneg=-30, angledegpos=30)
+    found = ms.apply_filter(BAND, width=length(0.5), spacing=length(0.01))
+    assert found["area"] == pytest.approx(3, rel=1e-3)
+    assert found["border_length"] == pytest.approx(6, rel=1e-3)
+
+
+CORNERS = BESIDE[[0, 2, 1, 3]] * [1, 1, 0]  # in an order in which sides do not cross
+
+
+def is_in_polygon(points):
+    """Strictly inside, to the left of all sides of CORNERS."""
+    sides = np.roll(CORNERS, -1, axis=0) - CORNERS
+    steps = points[..., None, :] - CORNERS
+    return (sides[:, 0] * steps[..., 1] - sides[:, 1] * steps[..., 0] > 1e-12).all(axis=-1)
+
+
+@pytest.mark.parametrize("by", ["layer", "text"])
+@pytest.mark.parametrize("cut_out", [False, True])
+def test_polygon_of_the_plane(by, cut_out):
+    ms = with_attributes(VERTICES, FACES, VERTICES[:, 0])
+    ms.add_mesh(pymeshlab.Mesh(BESIDE[[0, 2, 1, 3]]), set_as_current=False)
+    given = {"point_layer": 1} if by == "layer" else {"surface_points": as_text(CORNERS)}
+    found = ms.apply_filter(POLYGON, cut_out=cut_out, **given)
+    after, before = np.roll(CORNERS, -1, axis=0), np.roll(CORNERS, 1, axis=0)
+    area = (CORNERS[:, 0] * after[:, 1] - CORNERS[:, 1] * after[:, 0]).sum() / 2
+    perimeter = np.linalg.norm(after - CORNERS, axis=1).sum()
+    assert found["area"] == pytest.approx(area, rel=1e-9)
+    assert found["perimeter"] == pytest.approx(perimeter, rel=1e-9)
+    ahead, back = after - CORNERS, before - CORNERS
+    cosine = (ahead * back).sum(axis=1) / np.linalg.norm(ahead, axis=1) / np.linalg.norm(back, axis=1)
+    np.testing.assert_allclose(found["angles"], np.arccos(cosine), rtol=1e-9)
+    assert abs(found["curvature"]) + abs(found["gauss_bonnet"]) < 1e-9
+    assert found["snap_distance"] == pytest.approx(0.25 if by == "layer" else 0)
+    np.testing.assert_array_equal(found["vertices"], range(4))
+    inside = is_in_polygon(VERTICES[FACES]).all(axis=1)
+    np.testing.assert_array_equal(ms.mesh(0).face_selection_array(), inside)
+    assert found["selected_faces"] == inside.sum()
+    border = ms.mesh(2)
+    assert border.edge_number() == border.vertex_number() - 1
+    assert border.vertex_scalar_array()[-1] == pytest.approx(perimeter, rel=1e-9)
+    np.testing.assert_allclose(border.vertex_matrix()[[0, -1]], CORNERS[[0, 0]], atol=1e-9)
+    assert (layer_count(ms), ms.current_mesh_id()) == ((4, 3) if cut_out else (3, 2))
+    if cut_out:
+        part = ms.mesh(3)
+        assert areas(part.vertex_matrix(), part.face_matrix()).sum() == pytest.approx(area, rel=1e-9)
+        assert is_in_polygon(part.vertex_matrix()[part.face_matrix()].mean(axis=1)).all()
+        assert_attributes_are_kept(part, ms.mesh(0))
+
+
+def test_polygon_around_a_corner_of_a_box():
+    """A triangle with three right angles more than the plane has: the curvature of the corner is pi / 2."""
+    ms = mesh_set(np.eye(4, 3, -1), np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1]]))
+    found = ms.apply_filter(POLYGON, surface_points="0 0.5 0.5 0; 0 0.5 0 0.5; 1 0.5 0 0.5")
+    assert found["curvature"] == pytest.approx(np.pi / 2, rel=1e-9)
+    np.testing.assert_allclose(found["angles"], np.pi / 2, rtol=1e-9)
+    assert found["area"] == pytest.approx(3 / 8, rel=1e-9)
+    assert found["perimeter"] == pytest.approx(4.5**0.5, rel=1e-9)
 
 
 @pytest.mark.parametrize("closed", [False, True])

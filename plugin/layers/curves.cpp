@@ -1,0 +1,193 @@
+// Curves that filters take: the lines of another layer, or selected edges.
+#include "layers/curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "support/lists.h"
+#include "tasks/curve_sources.h"
+
+namespace vorogeo::plugin {
+
+// ---- Edges of the surface, and points along lines
+
+std::vector<std::array<Index, 2>> selected_edges(const FilterCall& call, const LayerSurface& layer,
+                                                 const Mesh& mesh, const std::string& otherwise) {
+  std::vector<std::array<Index, 2>> edges;
+  for (Index f = 0; f < mesh.first_bridge(); ++f) {
+    for (int i = 0; i < 3; ++i) {
+      if (!call.layer.cm.face[layer.host_face(mesh, f)].IsFaceEdgeS(i)) continue;
+      const auto [a, b] = std::minmax(mesh.given_corners(f)[i], mesh.given_corners(f)[(i + 1) % 3]);
+      edges.push_back({a, b});
+    }
+  }
+  sort_once(edges);
+  if (edges.empty()) {
+    throw InvalidInput("No edge is selected. Select edges, for example with 'Select Crease Edges', or " +
+                       otherwise);
+  }
+  return edges;
+}
+
+RichLength spacing_parameter(const MeshDocument& document) {
+  return length_parameter(
+      document, "spacing", 0.0, "Spacing",
+      "Distances start at points along lines at most this far apart; 0: a quarter of the typical edge.");
+}
+
+double spacing_of(const FilterCall& call, const Mesh& mesh) {
+  const double spacing = length_of(call, "spacing", true);
+  return spacing > 0.0 ? spacing : 0.25 * mesh.typical_edge_length();
+}
+
+CurveSources sources_of_layer(const FilterCall& call, LayerSurface& layer, const char* parameter,
+                              double spacing, bool with_offsets) {
+  const CMeshO& points = other_layer(call, parameter, "points or lines").cm;
+  PointSnapper snapper(call, layer);
+  CurveSources curve;
+  auto add = [&](const Point& at, double offset, std::size_t number) {
+    curve.sources.push_back({snapper.snap_vertex(at, number, parameter), offset});
+    curve.numbers.push_back(static_cast<Index>(number));
+  };
+  auto offset = [&](const CVertexO& v) { return with_offsets ? static_cast<double>(v.cQ()) : 0.0; };
+  for (std::size_t v = 0; v < points.vert.size(); ++v) {
+    if (!points.vert[v].IsD()) add(position_of(points.vert[v]), offset(points.vert[v]), v);
+  }
+  for (const auto& edge : points.edge) {
+    if (edge.IsD()) continue;
+    const CVertexO& a = *edge.cV(0);
+    const CVertexO& b = *edge.cV(1);
+    const auto between = points_between(position_of(a), position_of(b), spacing);
+    for (std::size_t i = 0; i < between.size(); ++i) {
+      const double t = static_cast<double>(i + 1) / static_cast<double>(between.size() + 1);
+      const CVertexO& nearer = t < 0.5 ? a : b;
+      add(between[i], std::lerp(offset(a), offset(b), t),
+          static_cast<std::size_t>(&nearer - points.vert.data()));
+    }
+  }
+  if (curve.sources.empty()) {
+    throw InvalidInput("Layer " + std::to_string(call.parameters.getMeshId(parameter)) +
+                       " has no vertex. Choose a layer with points or lines.");
+  }
+  curve.snap_distance = snapper.farthest();
+  return curve;
+}
+
+// ---- Reads curve_layer
+
+namespace {
+
+bool curve_is_selected(const FilterCall& call) {
+  return static_cast<int>(call.parameters.getMeshId("curve_layer")) == static_cast<int>(call.layer.id());
+}
+
+std::vector<std::array<Index, 2>> selected_curve(const FilterCall& call, const LayerSurface& layer,
+                                                 const Mesh& mesh) {
+  return selected_edges(call, layer, mesh,
+                        "choose a layer with lines as " + named(call, "curve_layer") + ".");
+}
+
+/// The numbers along the one line that edges make, from an end if it has any. `name`: of a number, for
+/// errors. \throw InvalidInput if they make no such line.
+template <class Name>
+std::vector<Index> in_order(std::vector<std::array<Index, 2>> edges, Name&& name) {
+  sort_once(edges);
+  std::map<Index, std::vector<Index>> beside;
+  for (const auto& [a, b] : edges) {
+    beside[a].push_back(b);
+    beside[b].push_back(a);
+  }
+  auto first = beside.begin();
+  for (auto at = beside.begin(); at != beside.end(); ++at) {
+    if (at->second.size() > 2) {
+      throw InvalidInput("The curve branches: " + name(at->first) + " has " +
+                         std::to_string(at->second.size()) + " of its edges. Leave two of them.");
+    }
+    if (at->second.size() < first->second.size()) first = at;
+  }
+  std::vector<Index> line{first->first};
+  for (Index from = no_index, next = first->second[0]; next != no_index && next != line.front();) {
+    from = line.back();
+    line.push_back(next);
+    const auto& ways = beside[next];
+    next = ways[0] != from ? ways[0] : ways.size() > 1 ? ways[1] : no_index;
+  }
+  if (line.size() == beside.size()) return line;
+  for (const Index number : line) beside.erase(number);
+  throw InvalidInput("The curve is in several parts: " + name(line[0]) + " is on one of them, " +
+                     name(beside.begin()->first) + " on another. Leave one.");
+}
+
+}  // namespace
+
+RichParameterList curve_parameters(const MeshDocument& document) {
+  return list_of(
+      RichMesh("curve_layer", static_cast<unsigned int>(document.mm()->id()), &document, "Curve layer",
+               "The layer with the lines of the curve, which are moved to the surface. The current "
+               "layer: its selected edges."),
+      max_snap_distance_parameter(document));
+}
+
+QString help_on_curve() {
+  return "<p>The curve is the selected edges of the layer or, if <b>Curve layer</b> is another one, the "
+         "lines "
+         "of that, such as a path or a plane section: their points are moved to the nearest point of the "
+         "surface; <i>snap_distance</i> is the farthest move, and one of more than <b>Max snap distance</b> "
+         "is an error unless that is 0.</p>";
+}
+
+CurveSources points_along_curve(const FilterCall& call, LayerSurface& layer, double spacing) {
+  if (!curve_is_selected(call)) return sources_of_layer(call, layer, "curve_layer", spacing, false);
+  const auto mesh = layer.mesh();
+  const auto edges = edges_of_curve(*mesh, selected_curve(call, layer, *mesh));
+  return {sources_along_edges(*mesh, edges, spacing), {}, 0.0};
+}
+
+TaskPoints curve_in_order(const FilterCall& call, LayerSurface& layer) {
+  TaskPoints curve;
+  if (curve_is_selected(call)) {
+    const auto line = in_order(selected_curve(call, layer, *layer.mesh()),
+                               [&](Index v) { return "vertex " + std::to_string(layer.host_vertex(v)); });
+    curve.points = line;
+    for (const Index v : line) curve.numbers.push_back(layer.host_vertex(v));
+    curve.what = "vertices of selected edges";
+    return curve;
+  }
+  const CMeshO& lines = other_layer(call, "curve_layer", "lines of the curve").cm;
+  if (lines.en == 0) return snapped_layer(call, layer, "curve_layer", "lines");
+  const std::string id = std::to_string(call.parameters.getMeshId("curve_layer"));
+  PointSnapper snapper(call, layer);
+  // Ends of edges at one place are one point: a closed path ends at a vertex of its own.
+  std::map<Point, Index> point_at;
+  std::map<Index, SurfacePoint> snapped;
+  std::vector<std::array<Index, 2>> edges;
+  for (const auto& edge : lines.edge) {
+    if (edge.IsD()) continue;
+    std::array<Index, 2> ends{};
+    for (int i = 0; i < 2; ++i) {
+      const auto number = static_cast<Index>(edge.cV(i) - lines.vert.data());
+      const Point at = position_of(*edge.cV(i));
+      const SurfacePoint point = snapper.snap_vertex(at, static_cast<std::size_t>(number), "curve_layer");
+      ends[i] = point_at.emplace(at, number).first->second;
+      snapped.emplace(ends[i], point);
+    }
+    if (ends[0] != ends[1]) edges.push_back({std::min(ends[0], ends[1]), std::max(ends[0], ends[1])});
+  }
+  if (edges.empty()) {
+    throw InvalidInput("The lines of layer " + id + " have no length. Choose a layer with a curve.");
+  }
+  std::vector<SurfacePoint> points;
+  for (const Index number :
+       in_order(edges, [&](Index v) { return "vertex " + std::to_string(v) + " of layer " + id; })) {
+    points.push_back(snapped.at(number));
+    curve.numbers.push_back(number);
+  }
+  curve.points = points;
+  curve.what = "points of layer " + id;
+  curve.snap_distance = snapper.farthest();
+  return curve;
+}
+
+}  // namespace vorogeo::plugin

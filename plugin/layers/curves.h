@@ -1,0 +1,49 @@
+// Curves that filters take: the lines of another layer, or selected edges.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "exact/exact_solver.h"
+#include "host/filter_row.h"
+#include "layers/layer_surface.h"
+#include "layers/points.h"
+
+namespace vorogeo::plugin {
+
+/// The ends of the selected edges of the surface, as core vertices; each edge once. \throw InvalidInput if
+/// there is none, in a sentence that ends with `otherwise`: what to do instead.
+std::vector<std::array<Index, 2>> selected_edges(const FilterCall& call, const LayerSurface& layer,
+                                                 const Mesh& mesh, const std::string& otherwise);
+
+/// The parameter spacing, and its value: where it is 0, a quarter of the typical edge.
+RichLength spacing_parameter(const MeshDocument& document);
+double spacing_of(const FilterCall& call, const Mesh& mesh);
+
+/// Points of a layer and along its lines, moved to the surface.
+struct CurveSources {
+  std::vector<ExactSource> sources;
+  std::vector<Index> numbers;  ///< of each: the nearest vertex of the layer
+  double snap_distance = 0.0;  ///< the farthest move
+};
+
+/// The vertices of the layer that a parameter names, and points at most `spacing` apart along its edges, with
+/// the quality of its vertices as offsets or none. Reads max_snap_distance. \throw InvalidInput as
+/// other_layer and PointSnapper, and for a layer without vertices.
+CurveSources sources_of_layer(const FilterCall& call, LayerSurface& layer, const char* parameter,
+                              double spacing, bool with_offsets);
+
+/// The parameters curve_layer and max_snap_distance.
+RichParameterList curve_parameters(const MeshDocument& document);
+/// Explains them, for the help.
+QString help_on_curve();
+
+/// Points at most `spacing` apart along the curve that these parameters give, which may be in several parts.
+/// \throw InvalidInput as selected_edges and sources_of_layer.
+CurveSources points_along_curve(const FilterCall& call, LayerSurface& layer, double spacing);
+
+/// The points of the curve in order: of an open one from end to end, of a layer without edges in the order of
+/// its vertices. \throw InvalidInput also for a curve that branches or is in several parts.
+TaskPoints curve_in_order(const FilterCall& call, LayerSurface& layer);
+
+}  // namespace vorogeo::plugin
