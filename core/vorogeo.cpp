@@ -1,4 +1,4 @@
-// The public interface over the core: numbers, points, options and errors are translated here, in both
+// The public interface over the core, which translates numbers, points, options and errors in both
 // directions.
 #include <algorithm>
 #include <mutex>
@@ -6,162 +6,12 @@
 #include <optional>
 #include <utility>
 
-#include "index/build_cost.h"
-#include "mesh/mesh_check.h"
-#include "mesh/mesh_input.h"
-#include "mesh/metric.h"
-#include "mesh/outliers.h"
-#include "mesh/surface_locator.h"
-#include "query/surface.h"
-#include "support/memory.h"
-#include "support/parallel.h"
-#include "tasks/bands.h"
-#include "tasks/curve_sources.h"
-#include "tasks/cut.h"
-#include "tasks/directions.h"
-#include "tasks/distance_matrix.h"
-#include "tasks/extent.h"
-#include "tasks/girth.h"
-#include "tasks/loops.h"
-#include "tasks/neighbors.h"
-#include "tasks/path_through.h"
-#include "tasks/polygon.h"
-#include "tasks/profile.h"
-#include "tasks/set_distances.h"
-#include "tasks/spread_points.h"
-#include "tasks/surface_lines.h"
-#include "tasks/voronoi_regions.h"
-
-// The core's own names, before the header below declares public ones beside them.
-namespace inner {
-using vorogeo::band;
-using vorogeo::Cancelled;
-using vorogeo::check_mesh;
-using vorogeo::cut_along;
-using vorogeo::cut_at_levels;
-using vorogeo::CutMesh;
-using vorogeo::Error;
-using vorogeo::exp_map;
-using vorogeo::gradient;
-using vorogeo::IndexFileError;
-using vorogeo::IndexOptions;
-using vorogeo::InvalidInput;
-using vorogeo::isolines;
-using vorogeo::log_map;
-using vorogeo::NotEnoughMemory;
-using vorogeo::PointList;
-using vorogeo::profile;
-using vorogeo::Query;
-using vorogeo::set_distances;
-using vorogeo::slope_cost;
-using vorogeo::Surface;
-using vorogeo::SurfacePoint;
-using vorogeo::tangent_frames;
-using vorogeo::TaskOptions;
-using vorogeo::to_string;
-using vorogeo::transport;
-}  // namespace inner
-
-#include "vorogeo.h"
+#include "public_interface.h"
 
 namespace vorogeo {
 inline namespace v0 {
 
-struct Surface::State {
-  std::shared_ptr<const Mesh> mesh;
-  std::size_t face_count = 0;  ///< of the faces given
-  inner::IndexOptions options;
-
-  std::mutex mutex;  ///< of the surface, held for moments
-  std::shared_ptr<inner::Surface> surface;
-  std::once_flag locator_made;
-  std::unique_ptr<const SurfaceLocator> locator;
-
-  std::shared_ptr<inner::Surface> current() {
-    const std::lock_guard lock(mutex);
-    return surface;
-  }
-  void adopt(std::shared_ptr<const GeodesicIndex> index) {
-    const std::lock_guard lock(mutex);
-    surface = std::make_shared<inner::Surface>(mesh, std::move(index), surface->spent(), options);
-  }
-};
-
 namespace {
-
-/// Runs a piece of the core, whose errors leave as those of the public header.
-template <class Body>
-auto translated(Body&& body) {
-  try {
-    return body();
-  } catch (const inner::Cancelled& error) {
-    throw Cancelled(error.what());
-  } catch (const inner::InvalidInput& error) {
-    throw InvalidInput(error.what());
-  } catch (const inner::IndexFileError& error) {
-    throw IndexFileError(error.what());
-  } catch (const inner::NotEnoughMemory& error) {
-    throw NotEnoughMemory(error.what());
-  } catch (const inner::Error& error) {
-    throw Error(error.what());
-  } catch (const std::bad_alloc&) {
-    throw NotEnoughMemory(out_of_memory_sentence);
-  }
-}
-
-// ---- Points in and out
-
-inner::SurfacePoint point_in(const Mesh& mesh, const SurfacePoint& point) {
-  return InputMap(mesh).point_in({point.vertex, point.face, point.weights});
-}
-
-inner::PointList points_in(const Mesh& mesh, const PointList& points) {
-  std::vector<inner::SurfacePoint> list;
-  list.reserve(points.size());
-  for (const SurfacePoint& point : points) list.push_back(point_in(mesh, point));
-  return list;
-}
-
-/// A point over a gap lies in no face that was given.
-SurfacePoint point_out(const Mesh& mesh, const inner::SurfacePoint& point) {
-  const InputPoint out = InputMap(mesh).point_out(point);
-  return out.vertex >= 0 ? SurfacePoint(out.vertex) : SurfacePoint(out.face, out.weights);
-}
-
-std::vector<SurfacePoint> points_out(const Mesh& mesh, const std::vector<inner::SurfacePoint>& points) {
-  std::vector<SurfacePoint> out;
-  for (const auto& point : points) out.push_back(point_out(mesh, point));
-  return out;
-}
-
-// ---- Questions and what answers them
-
-/// The method and the progress of any of the public options.
-template <class Options>
-inner::TaskOptions core_options(const Options& options) {
-  return {.by = static_cast<AnswerMethod>(options.by), .progress = Progress(options.progress)};
-}
-
-/// How and where a question is asked. What answered it is noted by all but tasks.
-struct Asked {
-  inner::Surface& surface;
-  const Mesh& mesh;
-  inner::TaskOptions options;
-  Answered answered = {};
-
-  inner::SurfacePoint in(const SurfacePoint& point) const { return point_in(mesh, point); }
-  inner::PointList in(const PointList& points) const { return points_in(mesh, points); }
-};
-
-/// What body(asked) returns for the surface as it is now.
-template <class Options, class Body>
-auto ask(const Surface& surface, const Options& options, Body&& body) {
-  return translated([&] {
-    const auto current = surface.state().current();
-    Asked asked{*current, *surface.state().mesh, core_options(options)};
-    return body(asked);
-  });
-}
 
 // ---- The mesh that is measured on
 
@@ -323,17 +173,6 @@ void require_pairs(const PointList& from, const PointList& to) {
   if (from.size() == to.size()) return;
   throw InvalidInput("There are " + std::to_string(from.size()) + " points to start from and " +
                      std::to_string(to.size()) + " to go to; give as many of both.");
-}
-
-Path path_out(const Mesh& mesh, const ExactPath& found, const Answered& answered) {
-  Path path;
-  for (const auto& point : found.path.points) path.points.push_back(position_of(mesh, point));
-  path.surface_points = points_out(mesh, found.path.points);
-  path.length = found.path.length;
-  path.certified = found.certified;
-  path.answered_by = static_cast<Answer>(answered.by);
-  path.remark = answered.remark;
-  return path;
 }
 
 }  // namespace

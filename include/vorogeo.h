@@ -376,6 +376,21 @@ VOROGEO_API NearestOfSet nearest(const Surface& surface, const PointList& set, c
 VOROGEO_API Path path_through(const Surface& surface, const PointList& points, bool closed = false,
                               const TaskOptions& options = {});
 
+/// The points at fractions of the length of a path. \throw InvalidInput for a fraction outside [0, 1], or
+/// consecutive points that share no face.
+VOROGEO_API std::vector<SurfacePoint> points_along(const Surface& surface, const PointList& path,
+                                                   const std::vector<double>& fractions);
+/// The Bezier curve of control points by de Casteljau's construction, with shortest paths as its straight
+/// lines: at samples + 1 parameters from 0 to 1, which shortest paths join. \throw InvalidInput as
+/// path_through(), and for fewer than one sample.
+VOROGEO_API Path bezier(const Surface& surface, const PointList& points, int samples = 32,
+                        const TaskOptions& options = {});
+/// A curve through all points, `closed`: and back to the first; between two neighbours a cubic Bezier curve
+/// with so many samples. Its direction at a point is that from the one before to the next (Catmull, Rom).
+/// \throw InvalidInput likewise, and as log_map().
+VOROGEO_API Path spline(const Surface& surface, const PointList& points, bool closed = false,
+                        int samples = 16, const TaskOptions& options = {});
+
 /// The closed geodesic that a closed curve through these points is pulled to, without crossing a border: the
 /// shortest near it, which need not be the shortest of all that go round like it. Points that share no face
 /// are joined by shortest paths. \throw InvalidInput for a curve that slips off, naming where.
@@ -612,6 +627,47 @@ struct TracedEnd {
 VOROGEO_API std::vector<TracedEnd> exp_map(const Surface& surface, const PointList& from,
                                            const std::vector<Tangent>& vectors,
                                            const ExpMapOptions& options = {});
+
+// ---- Means and clusters of points
+
+/// A point from which a sum over some points is least.
+struct Centre {
+  SurfacePoint point;
+  double energy = 0.0;  ///< this sum
+  std::string remark;   ///< if the centre is one of several, or was not found closely; mostly empty
+};
+/// The point with the least sum of weighted squared distances from some points, found exactly by descent from
+/// the one of them that is best; all weights are 1 if none are given. \pre `by` is neither index nor quick.
+/// \throw InvalidInput for no point, weights that are negative, not finite or all 0, two points that no path
+/// joins, and as log_map().
+VOROGEO_API Centre frechet_mean(const Surface& surface, const PointList& points,
+                                const std::vector<double>& weights = {}, const TaskOptions& options = {});
+/// The same with the sum of weighted distances.
+VOROGEO_API Centre geometric_median(const Surface& surface, const PointList& points,
+                                    const std::vector<double>& weights = {}, const TaskOptions& options = {});
+/// The position of the given point with the least sum of weighted distances. \throw InvalidInput likewise.
+VOROGEO_API int medoid(const Surface& surface, const PointList& points,
+                       const std::vector<double>& weights = {}, const TaskOptions& options = {});
+
+struct ClusterOptions {
+  PointList points = {};             ///< empty: all vertices with a face
+  std::vector<double> weights = {};  ///< empty: 1 for each point, of vertices a third of their faces
+  int rounds = 100;                  ///< at most
+  std::uint64_t seed = 0;            ///< of the random points to begin with
+  Answer by = Answer::automatic;
+  ProgressFunction progress = {};
+};
+struct Clusters {
+  std::vector<SurfacePoint> centres;
+  std::vector<int> label;      ///< the nearest centre of each point or vertex; -1 for one without a face
+  std::vector<double> energy;  ///< at the beginning and after each round; never rises
+};
+/// Clusters whose centres are their means, of all vertices vertices near these (see relax()), so that the sum
+/// of weighted squared distances from the nearest centre falls. \throw InvalidInput for a count below 1 or
+/// above that of different points, fewer than the components that these lie on, and as frechet_mean().
+VOROGEO_API Clusters k_means(const Surface& surface, int count, const ClusterOptions& options = {});
+/// The same with the sum of weighted distances; centres are points of the list.
+VOROGEO_API Clusters k_medoids(const Surface& surface, int count, const ClusterOptions& options = {});
 
 }  // namespace v0
 }  // namespace vorogeo

@@ -193,7 +193,7 @@ fi
 # Usage: compile_for COMPILER OPTIONS...
 compile_for() {
   local unit
-  for unit in build/release/core/CMakeFiles/vorogeo_{core,methods}.dir/Unity/*.cxx core/index/scans.cpp core/vorogeo.cpp \
+  for unit in build/release/core/CMakeFiles/vorogeo_{core,methods}.dir/Unity/*.cxx core/index/scans.cpp core/vorogeo*.cpp \
               samples/cpp/{first_field,many_pairs,path_to_obj}.cpp ${vcg:+samples/cpp/from_vcg.cpp}; do
     "$@" -std=c++20 -O1 -Wall -Wextra -Wpedantic -Werror -fsyntax-only -Icore -Iinclude -isystem /usr/include/eigen3 \
       ${vcg:+-isystem "$vcg"} "$unit" || return 1

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "query/surface.h"
@@ -153,6 +154,35 @@ LogMap Query::log_map(const TangentFrame& frame, const std::optional<PointList>&
     for (Index v = 0; v < surface_.mesh()->vertex_count(); ++v) add(v);
   }
   return found;
+}
+
+std::vector<Turn> Query::first_turns(const PointList& targets) const {
+  const auto geometry = surface_.geometry();
+  // All paths through a vertex begin at the very angle at which the vertex was reached.
+  std::vector<double> legs;
+  for (const SurfacePoint& target : targets) legs.push_back(solver_->first_leg(target));
+  std::vector<double> sorted = legs;
+  std::erase_if(sorted, [](double leg) { return std::isnan(leg); });
+  std::ranges::sort(sorted);
+  std::vector<Turn> by_leg(sorted.size());
+  for (Index v = 0; v < surface_.mesh()->vertex_count(); ++v) {
+    const bool is_flat = geometry->windows->flat_height[v] > 0.0F;
+    if (is_flat || geometry->windows->can_bend[v] == ExactGeometry::never) continue;
+    const double distance = solver_->distance(v);
+    if (!(distance > 0.0 && distance < unreachable)) continue;
+    const auto leg = std::ranges::lower_bound(sorted, solver_->first_leg(v));
+    if (leg == sorted.end() || *leg != solver_->first_leg(v)) continue;
+    Turn& turn = by_leg[leg - sorted.begin()];
+    if (distance < turn.distance) turn = {v, distance};
+  }
+  std::vector<Turn> turns(targets.size());
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const auto leg = std::ranges::lower_bound(sorted, legs[i]);
+    if (std::isnan(legs[i]) || by_leg[leg - sorted.begin()].distance >= solver_->distance(targets[i]))
+      continue;
+    turns[i] = by_leg[leg - sorted.begin()];
+  }
+  return turns;
 }
 
 std::vector<Tangent> Query::gradient(std::span<const ExactSource> sources,

@@ -38,6 +38,12 @@ struct LogMap {
   std::vector<double> distance;  ///< `unreachable` there
 };
 
+/// The first vertex at which a path turns, and how far it leads straight before that.
+struct Turn {
+  Index vertex = no_index;
+  double distance = unreachable;
+};
+
 /// Answers by a method that was chosen before. Lent by a Surface (Surface::lend) to one thread at a time;
 /// each part takes its memory, for the whole mesh, when it is first asked. In all calls `by` is not
 /// `automatic`, and points are on the mesh.
@@ -69,6 +75,8 @@ class Query {
   /// `unreachable`. Exact. \pre The metric does not jump around the point.
   LogMap log_map(const TangentFrame& frame, const std::optional<PointList>& targets, double max_distance,
                  int threads, const Progress& progress);
+  /// Where the paths of the last log_map() to its targets turn, if they do.
+  std::vector<Turn> first_turns(const PointList& targets) const;
   /// Of distances from the nearest of some sources, at all vertices or at some points: see vorogeo::gradient.
   std::vector<Tangent> gradient(std::span<const ExactSource> sources, const std::optional<PointList>& points,
                                 double max_distance, const Progress& progress);

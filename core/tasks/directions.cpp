@@ -26,17 +26,15 @@ void require_agreeing_around(const LocalGeometry& geometry, const SurfacePoint& 
     require_agreeing_faces(mesh, "Directions");
 }
 
-/// Which the surface keeps.
 const ExactGeometry& geometry_around(Surface& surface, const SurfacePoint& point) {
   const Mesh& mesh = *surface.mesh();
-  const auto geometry = surface.geometry();
-  require_agreeing_around(*geometry, point);
+  const ExactGeometry& geometry = agreeing_geometry(surface, point);
   if (!point.is_vertex() && mesh.given_corners(point.face) != mesh.face_vertices(point.face)) {
     throw InvalidInput("There are no directions at a point of face " +
                        std::to_string(mesh.input_face(point.face)) +
                        ": with this metric, it is measured in parts; take a vertex.");
   }
-  return *geometry->windows;
+  return geometry;
 }
 
 std::vector<TangentFrame> frames_at(Surface& surface, const PointList& points) {
@@ -45,11 +43,6 @@ std::vector<TangentFrame> frames_at(Surface& surface, const PointList& points) {
     frames.emplace_back(geometry_around(surface, point), point);
   }
   return frames;
-}
-
-void require_exact(const TaskOptions& options) {
-  if (options.by != AnswerMethod::index && options.by != AnswerMethod::quick) return;
-  throw InvalidInput("Directions are exact: an index and the quick method have none.");
 }
 
 void require_finite(const std::vector<Tangent>& vectors) {
@@ -61,6 +54,17 @@ void require_finite(const std::vector<Tangent>& vectors) {
 }
 
 }  // namespace
+
+void require_exact(const TaskOptions& options) {
+  if (options.by != AnswerMethod::index && options.by != AnswerMethod::quick) return;
+  throw InvalidInput("Directions are exact: an index and the quick method have none.");
+}
+
+const ExactGeometry& agreeing_geometry(Surface& surface, const SurfacePoint& point) {
+  const auto geometry = surface.geometry();  // which the surface keeps
+  require_agreeing_around(*geometry, point);
+  return *geometry->windows;
+}
 
 std::vector<std::array<Point, 3>> tangent_frames(Surface& surface, const PointList& points) {
   if (surface.mesh()->has_metric()) {

@@ -10,6 +10,13 @@
 
 namespace vorogeo {
 
+/// \throw InvalidInput for `by` an index or the quick method.
+void require_exact(const TaskOptions& options);
+
+/// What angles at a point are read from. \throw InvalidInput in a component where the metric jumps at edges.
+/// \pre The point is on the mesh.
+const ExactGeometry& agreeing_geometry(Surface& surface, const SurfacePoint& point);
+
 /// The frames at points, in space: x axis, y axis and normal of each (TangentFrame::axes). \throw
 /// InvalidInput for a point that is not on the mesh, or at which directions have no angles; in a face that
 /// the metric measures in parts; in a component where the metric jumps at edges; with any metric, as its

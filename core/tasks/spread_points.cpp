@@ -161,14 +161,6 @@ struct Label {
   }
 };
 
-std::vector<double> vertex_areas(const Mesh& mesh) {
-  std::vector<double> area(mesh.vertex_count(), 0.0);
-  for (Index f = 0; f < mesh.first_bridge(); ++f) {
-    for (Index v : mesh.face_vertices(f)) area[v] += mesh.face_area(f) / 3.0;
-  }
-  return area;
-}
-
 /// Nearest site of each vertex, from fields bounded by the greatest distance of a vertex from its site.
 std::vector<Label> label_vertices(Workers& workers, const std::vector<SurfacePoint>& sites, double& radius,
                                   const Progress& progress) {
@@ -228,8 +220,16 @@ SurfacePoint candidate_of(const Mesh& mesh, const std::vector<double>& area, con
 
 }  // namespace
 
-RelaxedPoints relax_points(Surface& surface, const PointList& given, Index rounds,
-                           const TaskOptions& options) {
+std::vector<double> vertex_areas(const Mesh& mesh) {
+  std::vector<double> area(mesh.vertex_count(), 0.0);
+  for (Index f = 0; f < mesh.first_bridge(); ++f) {
+    for (Index v : mesh.face_vertices(f)) area[v] += mesh.face_area(f) / 3.0;
+  }
+  return area;
+}
+
+RelaxedPoints relax_points(Surface& surface, const PointList& given, Index rounds, const TaskOptions& options,
+                           std::span<const double> weights, Power power) {
   const Mesh& mesh = *surface.mesh();
   if (given.empty()) throw InvalidInput("There is no point to relax; name at least one.");
   const PointList points = points_on(mesh, given, "Point");
@@ -243,7 +243,9 @@ RelaxedPoints relax_points(Surface& surface, const PointList& given, Index round
   // Two fields for each point and round, the second one as far again.
   Workers workers(surface, options, 2.0 * count * std::max<Index>(1, rounds), reach_of_regions(0.5 * count));
   const Progress& progress = workers.progress();
-  const auto area = vertex_areas(mesh);
+  std::vector<double> area =
+      weights.empty() ? vertex_areas(mesh) : std::vector<double>(weights.begin(), weights.end());
+  area.resize(mesh.vertex_count(), 0.0);
   RelaxedPoints result;
   result.points.assign(points.begin(), points.end());
   std::vector<double> step(points.size(), 1.0);
@@ -258,9 +260,11 @@ RelaxedPoints relax_points(Surface& surface, const PointList& given, Index round
       const Label& label = labels[v];
       if (label.site == no_index) continue;
       region[label.site].push_back(v);
-      energy[label.site] += area[v] * label.distance * label.distance;
+      energy[label.site] += area[v] * powered(label.distance, power);
     }
     result.energy.push_back(std::accumulate(energy.begin(), energy.end(), 0.0));
+    result.region.clear();
+    for (const Label& label : labels) result.region.push_back(label.site);
     if (round == rounds) break;
 
     std::vector<SurfacePoint> moved_to(points.size());
@@ -275,7 +279,7 @@ RelaxedPoints relax_points(Surface& surface, const PointList& given, Index round
                    }
                    const auto field = workers.field(candidate, 2.0 * bounded_field_slack * radius, worker);
                    double there = 0.0;
-                   for (Index v : region[i]) there += area[v] * field[v] * field[v];
+                   for (Index v : region[i]) there += area[v] * powered(field[v], power);
                    if (there < energy[i]) {
                      moved_to[i] = candidate;
                    } else {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "support/progress.h"
+#include "tasks/means.h"
 #include "tasks/workers.h"
 
 namespace vorogeo {
@@ -53,6 +54,7 @@ struct RelaxedPoints {
   /// Before the first and after each round: integral over the surface of the squared distance from the
   /// nearest point, in the fourth power of the unit (each vertex represents a third of its faces).
   std::vector<double> energy;
+  std::vector<Index> region;  ///< by vertex, the nearest point at the end; no_index where none leads there
 };
 
 /// Relaxes points towards a centroidal geodesic Voronoi tessellation (Lloyd 1982; on surfaces Peyre, Cohen
@@ -62,8 +64,13 @@ struct RelaxedPoints {
 /// region, so the energy never rises (beyond the errors of the fields). Ends after `rounds`, or when no point
 /// finds a better vertex. A point that repeats an earlier one owns no region and waits until that one
 /// has moved. \throw InvalidInput for no point or one that is not on the mesh, or negative rounds; Cancelled.
-/// Complexity: two fields for each point and round, bounded by the regions' size.
+/// Complexity: two fields for each point and round, bounded by the regions' size. `weights`: of vertices,
+/// instead of a third of their faces. `power`: of the distances, by which the energy counts.
 RelaxedPoints relax_points(Surface& surface, const PointList& points, Index rounds,
-                           const TaskOptions& options = {});
+                           const TaskOptions& options = {}, std::span<const double> weights = {},
+                           Power power = Power::two);
+
+/// A third of the area of the faces of each vertex; bridges have none.
+std::vector<double> vertex_areas(const Mesh& mesh);
 
 }  // namespace vorogeo

@@ -10,12 +10,15 @@
 #include "support/file.h"
 #include "support/memory.h"
 #include "tasks/bands.h"
+#include "tasks/clusters.h"
+#include "tasks/curves.h"
 #include "tasks/cut.h"
 #include "tasks/directions.h"
 #include "tasks/distance_matrix.h"
 #include "tasks/extent.h"
 #include "tasks/girth.h"
 #include "tasks/loops.h"
+#include "tasks/means.h"
 #include "tasks/neighbors.h"
 #include "tasks/path_through.h"
 #include "tasks/polygon.h"
@@ -301,6 +304,54 @@ auto line_ends(const TaskOptions& options, const HeldSurface& held, const PointA
   return std::tuple(std::move(columns), std::move(lengths));
 }
 
+// ---- Curves
+
+auto along(const TaskOptions&, const HeldSurface& held, const PointArrays& path,
+           const ValueArray& fractions) {
+  return std::tuple(columns_of(held, points_along(held.mesh(), held.points(path), values_of(fractions))));
+}
+
+auto bezier_curve(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
+                  Index samples) {
+  PathArrays arrays;
+  arrays.add(held.mesh(), bezier(*held.surface, held.points(points), samples, options));
+  return arrays.take();
+}
+
+auto spline_curve(const TaskOptions& options, const HeldSurface& held, const PointArrays& points, bool closed,
+                  Index samples) {
+  PathArrays arrays;
+  arrays.add(held.mesh(), spline(*held.surface, held.points(points), closed, samples, options));
+  return arrays.take();
+}
+
+// ---- Means and clusters
+
+/// `power`: two for a mean, one for a median.
+auto centre(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
+            const ValueArray& weights, int power) {
+  PointColumns columns;
+  columns.add(held.mesh(), centre_of(*held.surface, held.points(points), values_of(weights),
+                                     static_cast<Power>(power), options)
+                               .point);
+  return std::tuple(std::move(columns));
+}
+
+auto medoid_of(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
+               const ValueArray& weights) {
+  return std::tuple(medoid(*held.surface, held.points(points), values_of(weights), options));
+}
+
+/// Centres, labels, energy by round. Without `points`, of all vertices.
+auto clusters(const TaskOptions& options, const HeldSurface& held, Index count, const OptionalPoints& points,
+              const ValueArray& weights, int power, Index rounds, std::uint64_t seed) {
+  std::optional<PointList> list;
+  if (points) list = held.points(*points);
+  auto found = clusters_of(*held.surface, count, list, values_of(weights), static_cast<Power>(power), rounds,
+                           seed, options);
+  return std::tuple(columns_of(held, found.centres), std::move(found.label), std::move(found.energy));
+}
+
 }  // namespace
 
 void bind_tasks(nb::class_<HeldSurface>& surface) {
@@ -333,6 +384,12 @@ void bind_tasks(nb::class_<HeldSurface>& surface) {
   bind_question(surface, "exp_map", &line_ends);
   bind_question(surface, "gradient", &gradients);
   bind_question(surface, "transport", &carried);
+  bind_question(surface, "points_along", &along);
+  bind_question(surface, "bezier", &bezier_curve);
+  bind_question(surface, "spline", &spline_curve);
+  bind_question(surface, "centre", &centre);
+  bind_question(surface, "medoid", &medoid_of);
+  bind_question(surface, "clusters", &clusters);
 }
 
 // ---- The class _core.OutputFile: a file that Python maps and that replaces its target when complete

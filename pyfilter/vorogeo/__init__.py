@@ -47,6 +47,7 @@ from .points import EdgeCurve as EdgeCurve
 from .points import SurfacePoints as SurfacePoints
 from .results import Answered as Answered
 from .results import Band as Band
+from .results import Clusters as Clusters
 from .results import CutMesh as CutMesh
 from .results import Disk as Disk
 from .results import Extent as Extent

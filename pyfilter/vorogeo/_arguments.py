@@ -288,13 +288,18 @@ def offsets(value: ArrayLike | None, count: int) -> NDArray[np.float64]:
     """Offsets of the sources as float64 of shape (count,), finite and not negative; zeros for None."""
     if value is None:
         return np.zeros(count)
-    wanted = f"{count} lengths of 0 or more, one for each source"
-    array = np.atleast_1d(numbers("offsets", value, wanted))
+    return not_negative("offsets", value, count, "lengths of 0 or more, one for each source")
+
+
+def not_negative(name: str, value: ArrayLike, count: int, wanted: str) -> NDArray[np.float64]:
+    """Numbers as float64 of shape (count,), finite and not negative."""
+    wanted = f"{count} {wanted}"
+    array = np.atleast_1d(numbers(name, value, wanted))
     if array.shape != (count,):
-        raise InvalidInput(f"offsets: has shape {array.shape}; give {wanted}.")
+        raise InvalidInput(f"{name}: has shape {array.shape}; give {wanted}.")
     lengths = np.ascontiguousarray(array, dtype=np.float64)
     bad = ~(np.isfinite(lengths) & (lengths >= 0))
     if bad.any():
         row = int(np.flatnonzero(bad)[0])
-        raise InvalidInput(f"offsets[{row}]: is {lengths[row]}; give {wanted}.")
+        raise InvalidInput(f"{name}[{row}]: is {lengths[row]}; give {wanted}.")
     return lengths

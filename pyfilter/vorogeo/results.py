@@ -151,6 +151,19 @@ class RelaxedPoints:
 
 @documented
 @dataclass(frozen=True)
+class Clusters:
+    """Points or vertices divided into clusters around c centres."""
+
+    labels: NDArray[np.int32] = doc("Shape (k,) or (n,). The nearest centre of each; -1 for a vertex without a face.")
+    centres: SurfacePoints = doc("c points.")
+    energy: NDArray[np.float64] = doc(
+        "Shape (rounds + 1,). The weighted sum of squared distances from the nearest centre (k_medoids: of distances), "
+        "at the beginning and after each round. It never rises."
+    )
+
+
+@documented
+@dataclass(frozen=True)
 class IndexStatistics:
     """What an index holds and what it cost."""
 

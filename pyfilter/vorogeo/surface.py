@@ -11,17 +11,18 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from . import _arguments as check
 from . import points as point_lists
 from .errors import InvalidInput
+from .means import Means
 from .mesh_input import MeshInput
 from .metrics import Metric
-from .points import Points, Sources
+from .points import Points, Sources, SurfacePoints, surface_points
 from .progress import ProgressFunction, reporter
 from .results import Answered, GeodesicPath, Girth, IndexEstimate, IndexStatistics, Polylines, Profile
-from .tasks import METHODS, Shared, Tasks, paths_of
+from .tasks import METHODS, Shared, paths_of
 
 _Kind = TypeVar("_Kind", bound="Surface")
 
 
-class Surface(Tasks):
+class Surface(Means):
     """A triangle mesh for any number of questions: it reads the mesh once and chooses what answers.
 
     The first answers are exact, without an index. When they have taken as long as building one is estimated to take,
@@ -332,6 +333,77 @@ class Surface(Tasks):
         """
         rows = self._rows("points", points)
         found = self._ask(self._shared.core.path_through, rows, bool(closed), method=method, progress=progress)
+        return paths_of(found)[0]
+
+    def points_along(self, path: Points | GeodesicPath, fractions: ArrayLike) -> SurfacePoints:
+        """The points at fractions of the length of a path, from 0 to 1.
+
+        Parameters
+        ----------
+        path : GeodesicPath, or k points
+            Of consecutive points, each two share a face.
+        fractions : float, or array_like of shape (j,)
+        """
+        rows = self._curve_rows(path)
+        (found,) = self._ask(
+            self._shared.core.points_along, rows, check.real_values("fractions", fractions), method="exact"
+        )
+        return surface_points(found)
+
+    def bezier(
+        self,
+        points: Points,
+        samples: int = 32,
+        progress: ProgressFunction | bool | None = None,
+        method: str | None = None,
+    ) -> GeodesicPath:
+        """The Bezier curve of control points: de Casteljau's construction with shortest paths as its straight lines.
+
+        Parameters
+        ----------
+        points : k points, k >= 2
+            Of one component; four make a cubic curve.
+        samples : int, default 32
+            The curve is taken at samples + 1 parameters, which shortest paths join.
+
+        Returns
+        -------
+        GeodesicPath
+            From the first point to the last. Where a shortest path between points of the construction changes sides, as
+            behind a hill, it jumps along a shortest path.
+
+        Notes
+        -----
+        Exact paths: (k - 1) (k - 2) / 2 for each sample, and one from each to the next.
+        """
+        chosen, steps = self._rows("points", points), check.integer("samples", samples, 1, 10**6)
+        found = self._ask(self._shared.core.bezier, chosen, steps, method=method, progress=progress)
+        return paths_of(found)[0]
+
+    def spline(
+        self,
+        points: Points,
+        closed: bool = False,
+        samples: int = 16,
+        progress: ProgressFunction | bool | None = None,
+        method: str | None = None,
+    ) -> GeodesicPath:
+        """A smooth curve through points in the order given: cubic Bezier curves with one direction where they meet.
+
+        That direction is half of the difference of the vectors to the next point and to the one before (Catmull, Rom
+        1974), at an end the vector to its neighbour.
+
+        Parameters
+        ----------
+        points : k points, k >= 2, or 3 of a closed curve
+            Of one component, where directions have angles, as for `log_map`.
+        closed : bool, default False
+            Whether it leads from the last point back to the first.
+        samples : int, default 16
+            Of each of the curves between two points, as for `bezier`.
+        """
+        chosen, steps = self._rows("points", points), check.integer("samples", samples, 1, 10**6)
+        found = self._ask(self._shared.core.spline, chosen, bool(closed), steps, method=method, progress=progress)
         return paths_of(found)[0]
 
     def tighten(

@@ -589,6 +589,51 @@ TEST(Library, CurvesToMeasureAlongAreThoseOfABoxAndOfFlatPaper) {
             std::string::npos);
 }
 
+TEST(Library, MeansClustersAndCurvesAreThoseOfFlatPaper) {
+  const Sheet sheet(squares);
+  const Surface paper = surface_of(sheet);
+  const int a = sheet.vertex(3, 3), b = sheet.vertex(21, 3), c = sheet.vertex(3, 21);
+  // By distances from three corners, in squares.
+  const auto lies_at = [&](const SurfacePoint& point, double x, double y) {
+    const auto is_away = [&](int i, int j) {
+      const double distance = paper.distance(point, sheet.vertex(i, j), Answer::exact);
+      return std::abs(distance - std::hypot(x - i, y - j) / squares) < 1e-9;
+    };
+    return is_away(0, 0) && is_away(squares, 0) && is_away(0, squares);
+  };
+  const auto mean = vorogeo::frechet_mean(paper, {a, b, c}, {1.0, 2.0, 1.0});
+  EXPECT_TRUE(lies_at(mean.point, 12.0, 7.5));
+  EXPECT_NEAR(mean.energy, 567.0 / (squares * squares), 1e-9);
+  EXPECT_TRUE(mean.remark.empty());
+  // The Fermat point, which sees all sides at 120 degrees.
+  const double fermat = 3.0 + 18.0 * (0.5 - 0.5 / std::sqrt(3.0));
+  EXPECT_TRUE(lies_at(vorogeo::geometric_median(paper, {a, b, c}).point, fermat, fermat));
+  EXPECT_EQ(vorogeo::medoid(paper, {b, a, c}), 1);
+  EXPECT_EQ(vorogeo::medoid(paper, {b, a, c}, {9.0, 1.0, 1.0}), 0);
+
+  const auto clusters = vorogeo::k_means(paper, 2, {.points = {a, b, a + 1, b - 1}});
+  EXPECT_EQ(clusters.label[0], clusters.label[2]);
+  EXPECT_EQ(clusters.label[1], clusters.label[3]);
+  EXPECT_NE(clusters.label[0], clusters.label[1]);
+  EXPECT_TRUE(std::ranges::is_sorted(clusters.energy, std::greater<>()));
+  EXPECT_EQ(vorogeo::k_medoids(paper, 3).label.size(), sheet.positions.size());
+
+  const Path curve = vorogeo::bezier(paper, {a, b, c}, 2);
+  const auto ends = vorogeo::points_along(paper, curve.surface_points, {0.0, 1.0});
+  EXPECT_TRUE(lies_at(ends[0], 3.0, 3.0));
+  EXPECT_TRUE(lies_at(ends[1], 3.0, 21.0));
+  const auto passes = [&](const Path& path, double x, double y) {
+    return std::ranges::any_of(path.surface_points,
+                               [&](const SurfacePoint& point) { return lies_at(point, x, y); });
+  };
+  EXPECT_TRUE(passes(curve, 12.0, 7.5));
+  EXPECT_TRUE(passes(vorogeo::spline(paper, {a, b, c}, true), 21.0, 3.0));
+  EXPECT_NE(sentence_of<vorogeo::InvalidInput>([&] {
+              vorogeo::frechet_mean(paper, {a, b}, {1.0});
+            }).find("2 points and 1 weights"),
+            std::string::npos);
+}
+
 // Numbers of any whole type are vertices, others are none.
 static_assert(std::convertible_to<std::vector<std::size_t>, vorogeo::PointList>);
 static_assert(std::convertible_to<std::vector<SurfacePoint>, vorogeo::PointList>);

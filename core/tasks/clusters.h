@@ -1,0 +1,36 @@
+// Points divided into clusters around centres: k-means and k-medoids.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "tasks/means.h"
+
+namespace vorogeo {
+
+struct Clusters {
+  std::vector<SurfacePoint> centres;
+  /// The nearest centre of each point, or of each vertex; no_index for a vertex without a face.
+  std::vector<Index> label;
+  /// The weighted sum of powers of the distances from the nearest centre, at the beginning and after each
+  /// round; it never rises.
+  std::vector<double> energy;
+};
+
+/// Clusters of points, or without any of all vertices with a face. `power`: two for k-means, one for
+/// k-medoids, whose centres are points of the list. Without weights, points count 1 and vertices a third of
+/// their faces. Begins with random points, each chosen by its weight and the power of its distance from those
+/// before (k-means++, Arthur, Vassilvitskii 2007). In a round, each point goes to the nearest centre, then
+/// each centre to its cluster's mean (descend()) or medoid, unless the energy would rise. Of all vertices,
+/// centres are vertices, and move as in relax_points(). Ends after `rounds`, or when no centre moves.
+/// \throw InvalidInput for a count below 1 or above the number of different points of positive weight, fewer
+/// than the components that these lie on, weights as checked_weights(), negative rounds; of means of points,
+/// also as descend(); Cancelled. Complexity: in a round a field from each centre, and those of descend() or
+/// least_energies() within its cluster.
+Clusters clusters_of(Surface& surface, Index count, const std::optional<PointList>& points,
+                     std::span<const double> weights, Power power, Index rounds, std::uint64_t seed,
+                     const TaskOptions& options = {});
+
+}  // namespace vorogeo

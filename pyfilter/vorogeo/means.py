@@ -1,0 +1,171 @@
+"""Means, medians and medoids of points on a surface, and clusters around them."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _arguments as check
+from .points import Points, SurfacePoints, surface_points
+from .progress import ProgressFunction
+from .results import Clusters
+from .tasks import Tasks
+
+#: The power of the distances that is summed.
+_MEDIAN, _MEAN = 1, 2
+
+
+class Means(Tasks):
+    """What `Surface` has for points in the middle of others; in all of it, no weights are 1 for each point."""
+
+    def frechet_mean(
+        self,
+        points: Points,
+        weights: ArrayLike | None = None,
+        progress: ProgressFunction | bool | None = None,
+    ) -> SurfacePoints:
+        """The point with the least sum of weighted squared distances from some points: their mean on the surface.
+
+        It is found exactly, to 1e-8 of their distances, by descent from the one of the points that is best. Where a sum
+        has several minima, it is the nearest to that point. `last.remark` says if several of the points were equally
+        good and their descents ended apart at equal sums, and if the descent did not settle.
+
+        Parameters
+        ----------
+        points : k points, k >= 1
+            Of one component.
+        weights : array_like, shape (k,), optional
+            Finite, 0 or more, not all 0.
+
+        Returns
+        -------
+        SurfacePoints
+            One point.
+
+        Notes
+        -----
+        Newton's method on exact log maps: some ten exact fields, as far as the points are, besides those of `medoid`.
+        Not where a metric jumps at edges, as for `log_map`.
+        """
+        return self._centre(points, weights, _MEAN, progress)
+
+    def geometric_median(
+        self,
+        points: Points,
+        weights: ArrayLike | None = None,
+        progress: ProgressFunction | bool | None = None,
+    ) -> SurfacePoints:
+        """The point with the least sum of weighted distances from some points; otherwise as `frechet_mean`."""
+        return self._centre(points, weights, _MEDIAN, progress)
+
+    def _centre(
+        self,
+        points: Points,
+        weights: ArrayLike | None,
+        power: int,
+        progress: ProgressFunction | bool | None,
+    ) -> SurfacePoints:
+        rows = self._rows("points", points, 1)
+        given = _weights(weights, len(rows[0]))
+        (found,) = self._ask(self._shared.core.centre, rows, given, power, method="exact", progress=progress)
+        return surface_points(found)
+
+    def medoid(
+        self,
+        points: Points,
+        weights: ArrayLike | None = None,
+        method: str | None = None,
+        progress: ProgressFunction | bool | None = None,
+    ) -> int:
+        """The position, in the list, of the point with the least sum of weighted distances from all of them.
+
+        Parameters
+        ----------
+        points, weights
+            As for `frechet_mean`.
+
+        Notes
+        -----
+        Exact as the distances are: the triangle inequality rules out most of the points (Newling, Fleuret 2017), so
+        that it takes some multiple of sqrt(k) fields where they are spread.
+        """
+        rows = self._rows("points", points, 1)
+        given = _weights(weights, len(rows[0]))
+        (found,) = self._ask(self._shared.core.medoid, rows, given, method=method, progress=progress)
+        return int(found)
+
+    def k_means(
+        self,
+        count: int,
+        points: Points | None = None,
+        weights: ArrayLike | None = None,
+        seed: int = 0,
+        rounds: int = 100,
+        method: str | None = None,
+        progress: ProgressFunction | bool | None = None,
+    ) -> Clusters:
+        """Clusters around their means: a low sum of weighted squared distances from the nearest centre.
+
+        Begins with k-means++ and goes on with Lloyd's rounds: each point goes to the nearest centre, each centre to the
+        mean of its points (`frechet_mean`, nearby). Of all vertices, centres are vertices, and move as those of
+        `relax`: to the vertex nearest in space to the middle of their region, if that is better.
+
+        Parameters
+        ----------
+        count : int
+            Number of clusters, at least that of the components with points; those without a path between them never
+            share a cluster.
+        points : k points, optional
+            None for all vertices with a face.
+        weights : array_like, shape (k,) or (n,), optional
+            None: 1 for each point; for each vertex a third of the area of its faces.
+        seed : int, default 0
+            Of the random points to begin with.
+        rounds : int, default 100
+            At most this many; fewer if no centre moves.
+
+        Notes
+        -----
+        In a round a field from each centre, from the index if there is one; of all vertices two, bounded by the size of
+        the regions. Means of points take exact fields besides, bounded by their cluster.
+        """
+        return self._clusters(count, points, weights, _MEAN, seed, rounds, method, progress)
+
+    def k_medoids(
+        self,
+        count: int,
+        points: Points | None = None,
+        weights: ArrayLike | None = None,
+        seed: int = 0,
+        rounds: int = 100,
+        method: str | None = None,
+        progress: ProgressFunction | bool | None = None,
+    ) -> Clusters:
+        """Clusters around points of the list, with a low sum of weighted distances; otherwise as `k_means`."""
+        return self._clusters(count, points, weights, _MEDIAN, seed, rounds, method, progress)
+
+    def _clusters(
+        self,
+        count: int,
+        points: Points | None,
+        weights: ArrayLike | None,
+        power: int,
+        seed: int,
+        rounds: int,
+        method: str | None,
+        progress: ProgressFunction | bool | None,
+    ) -> Clusters:
+        rows = None if points is None else self._rows("points", points, 1)
+        given = _weights(weights, len(self.vertices) if rows is None else len(rows[0]))
+        number = check.integer("count", count, 1, 2**31 - 1)
+        limit, begin = check.integer("rounds", rounds, 0, 2**31 - 1), check.integer("seed", seed, 0, 2**64 - 1)
+        arguments = number, rows, given, power, limit, begin
+        centres, labels, energy = self._ask(self._shared.core.clusters, *arguments, method=method, progress=progress)
+        return Clusters(labels, surface_points(centres), energy)
+
+
+def _weights(weights: ArrayLike | None, count: int) -> NDArray[np.float64]:
+    """Weights as the core takes them: none for equal ones. It checks that one is above 0."""
+    if weights is None:
+        return np.empty(0)
+    return check.not_negative("weights", weights, count, "numbers of 0 or more, one for each point")
