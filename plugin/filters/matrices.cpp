@@ -1,4 +1,4 @@
-// Filters that write matrices and lists of pairs to files.
+// Filters for many distances: matrices and lists of pairs, which they also write to files, and two sets.
 #include <QFile>
 #include <algorithm>
 #include <bit>
@@ -16,6 +16,7 @@
 #include "support/memory.h"
 #include "tasks/distance_matrix.h"
 #include "tasks/neighbors.h"
+#include "tasks/set_distances.h"
 
 namespace vorogeo::plugin {
 
@@ -194,6 +195,31 @@ Results nearest_points(FilterCall& call) {
   return results;
 }
 
+// ---- Filter: how far two sets of points are from each other
+
+RichParameterList sets_parameters(const MeshDocument& document) {
+  return list_of(source_layer_parameter(document, "points of the second set"),
+                 task_point_parameters(document, "points of the first set"), exact_parameter());
+}
+
+Results distances_of_sets(FilterCall& call) {
+  const auto layer = layer_of(call);
+  const TaskPoints first = task_points(call, *layer, "that are the first set");
+  const TaskPoints second = snapped_layer(call, *layer, "source_layer", "points of the second set");
+  auto [found, answered, results] =
+      ask_task(call, *layer, "Distance of two sets", set_distances, first.points, second.points);
+  call.log("Distance of " + std::to_string(first.size()) + " " + first.what + " and " +
+           std::to_string(second.size()) + " " + second.what + ": nearest " + logged_length(found.nearest) +
+           ", mean " + logged_length(found.mean) + ", Hausdorff " + logged_length(found.hausdorff));
+  results["nearest"] = found.nearest;
+  results["mean"] = found.mean;
+  results["hausdorff"] = found.hausdorff;
+  results["distances"] = as_vector(found.to_second);
+  results["vertices"] = as_vector(first.numbers);
+  results["snap_distance"] = std::max(first.snap_distance, second.snap_distance);
+  return results;
+}
+
 }  // namespace
 
 std::vector<FilterRow> matrix_rows() {
@@ -220,7 +246,15 @@ std::vector<FilterRow> matrix_rows() {
        "of the <i>vertices</i>; <b>File</b> writes vertex, nearest point and distance as three columns of a "
        ".npy file that <i>numpy.load</i> reads.</p>" +
            help_on_task_points() + help_on_exact_parameter() + references_of_index(),
-       FilterPlugin::Measure, MeshModel::MM_NONE, nearest_parameters, nearest_points}};
+       FilterPlugin::Measure, MeshModel::MM_NONE, nearest_parameters, nearest_points},
+      {"Geodesic distance of two sets of points (VoroGeo)", "get_vorogeo_distance_of_sets",
+       "<p>How far two sets of points are from each other along the surface: the selected vertices, or other "
+       "points given, and the vertices of <b>Source layer</b>. The <i>nearest</i> distance is that of the "
+       "two nearest points, one of each set. <i>hausdorff</i> is how far a point can be from the other set, "
+       "and <i>mean</i> how far it is in the mean: the mean of both directions. <i>distances</i> are those "
+       "of the points given from the second set. The mesh is not changed.</p>" +
+           help_on_task_points() + help_on_exact_parameter() + references_of_index(),
+       FilterPlugin::Measure, MeshModel::MM_NONE, sets_parameters, distances_of_sets}};
 }
 
 }  // namespace vorogeo::plugin

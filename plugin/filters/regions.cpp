@@ -1,9 +1,10 @@
-// Filters that divide the surface: Voronoi regions, patches in colours, isolines and cuts along them,
-// polygons, extent, disks and bands.
+// Filters that divide the surface: Voronoi regions, patches in colours, isolines, cuts, polygons,
+// extent, disks and bands.
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <map>
 #include <span>
 #include <sstream>
 #include <string>
@@ -22,6 +23,7 @@
 #include "tasks/bands.h"
 #include "tasks/cut.h"
 #include "tasks/extent.h"
+#include "tasks/path_through.h"
 #include "tasks/polygon.h"
 #include "tasks/surface_lines.h"
 #include "tasks/voronoi_regions.h"
@@ -228,6 +230,48 @@ Results cut_along_isolines(FilterCall& call) {
   return {{"parts", static_cast<int>(regions.size())},
           {"regions", as_vector(regions)},
           {"values", as_vector(values)}};
+}
+
+// ---- Filter: the parts on both sides of a curve as layers
+
+Results cut_along_curve(FilterCall& call) {
+  const auto layer = layer_of(call);
+  const TaskPoints curve = curve_in_order(call, *layer);
+  const auto ask = [&](Surface& surface, Answered& by, const Progress& progress) {
+    const ExactPath path =
+        path_through(surface, curve.points, false, TaskOptions{AnswerMethod::automatic, progress, &by});
+    return cut_along(*surface.mesh(), {path.path.points});
+  };
+  auto [cut, answered, results] = ask_surface(call, *layer, "Cutting along the curve", ask);
+  rest_if_large(*layer, answered, layer->mesh()->vertex_count());
+  call.progress.report(1.0, "Cutting along the curve");
+  // Those that the curve does not touch are left out.
+  std::map<Index, std::vector<Index>> faces_of;
+  for (std::size_t f = 0; f < cut.faces.size(); ++f) {
+    if (cut.side[f] != 0) faces_of[cut.region[f]];
+  }
+  if (faces_of.size() < 2) {
+    throw InvalidInput(
+        "The curve does not divide the surface: the same part lies on both sides of it. Close it, or lead it "
+        "from border to border.");
+  }
+  for (Index f = 0; f < static_cast<Index>(cut.faces.size()); ++f) {
+    const auto part = faces_of.find(cut.region[f]);
+    if (part != faces_of.end()) part->second.push_back(f);
+  }
+  std::vector<std::size_t> counts;
+  for (const auto& [region, faces] : faces_of) {
+    counts.push_back(faces.size());
+    add_part_layer(call, QString("Part %1 of the cut").arg(counts.size()), *layer, *layer->mesh(), cut,
+                   faces);
+    call.log("Part " + std::to_string(counts.size()) + " of the cut: " + std::to_string(faces.size()) +
+             " faces");
+  }
+  results["parts"] = static_cast<int>(counts.size());
+  results["faces"] = as_vector(counts);
+  results["snap_distance"] = curve.snap_distance;
+  results["seconds"] = answered.seconds;
+  return results;
 }
 
 // ---- Filters: select a geodesic disk, and measure its area
@@ -448,6 +492,19 @@ std::vector<FilterRow> region_rows() {
            references_of_index(),
        FilterPlugin::FilterClass(FilterPlugin::Layer | FilterPlugin::Quality), MeshModel::MM_NONE,
        [](const MeshDocument&) { return level_parameters(1); }, cut_along_isolines},
+      {"Cut along a curve (VoroGeo)", "generate_splitting_by_vorogeo_curve",
+       "<p>Cuts the surface along a curve: the parts on its sides become layers, of which the last is the "
+       "current one. Faces are divided where the curve crosses them, so borders follow it, and parts have "
+       "the same points along it. Vertices and faces keep colours, quality, normals and texture coordinates; "
+       "at new vertices these are interpolated. The current layer is not changed.</p>" +
+           help_on_curve() +
+           "<p>How to choose: the curve is one line that does not branch, closed or from border to border; "
+           "shortest paths join its points, those of a layer without lines in their order. A curve that "
+           "does not divide the surface is an error. Components that it does not touch are left out.</p>"
+           "<p>Returns the number of <i>parts</i>, of the <i>faces</i> in each, and "
+           "<i>snap_distance</i>.</p>" +
+           references_of_index(),
+       FilterPlugin::Layer, MeshModel::MM_NONE, curve_parameters, cut_along_curve},
       {"Select a geodesic disk (VoroGeo)", "compute_selection_by_vorogeo_geodesic_disk",
        "<p>Selects all vertices within the geodesic distance <b>Radius</b>, and the faces whose three "
        "vertices are. Distances are those from <b>Vertex</b> or, if this is -1, from the nearest of the "

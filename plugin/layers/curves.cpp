@@ -89,8 +89,8 @@ std::vector<std::array<Index, 2>> selected_curve(const FilterCall& call, const L
                         "choose a layer with lines as " + named(call, "curve_layer") + ".");
 }
 
-/// The numbers along the one line that edges make, from an end if it has any. `name`: of a number, for
-/// errors. \throw InvalidInput if they make no such line.
+/// The numbers along the one line that edges make: from end to end, or from one round to it. `name`: of a
+/// number, for errors. \throw InvalidInput if they make no such line.
 template <class Name>
 std::vector<Index> in_order(std::vector<std::array<Index, 2>> edges, Name&& name) {
   sort_once(edges);
@@ -114,7 +114,10 @@ std::vector<Index> in_order(std::vector<std::array<Index, 2>> edges, Name&& name
     const auto& ways = beside[next];
     next = ways[0] != from ? ways[0] : ways.size() > 1 ? ways[1] : no_index;
   }
-  if (line.size() == beside.size()) return line;
+  if (line.size() == beside.size()) {
+    if (first->second.size() > 1) line.push_back(line.front());
+    return line;
+  }
   for (const Index number : line) beside.erase(number);
   throw InvalidInput("The curve is in several parts: " + name(line[0]) + " is on one of them, " +
                      name(beside.begin()->first) + " on another. Leave one.");

@@ -43,6 +43,8 @@ PATH = "generate_polyline_by_vorogeo_geodesic_path"
 TIGHT = "generate_polyline_by_vorogeo_tight_curve"
 LOOP = "generate_polyline_by_vorogeo_shortest_loop"
 POLYGON = "generate_polyline_by_vorogeo_polygon"
+CUT_CURVE = "generate_splitting_by_vorogeo_curve"
+SETS = "get_vorogeo_distance_of_sets"
 BAND = "get_vorogeo_area_of_band"
 PATH_THROUGH = "generate_polyline_by_vorogeo_path_through_points"
 GIRTH = "generate_polyline_by_vorogeo_girth"
@@ -84,10 +86,12 @@ FILTERS: dict[str, tuple[set[str], int]] = {
     MATRIX: ({"matrix_file", "exact"} | TASK_POINTS, 0),
     PAIRS_WITHIN: ({"radius", "matrix_file", "exact"} | TASK_POINTS, 0),
     NEAREST: ({"source_layer", "neighbour_number", "matrix_file", "exact"} | TASK_POINTS, 0),
+    SETS: ({"source_layer", "exact"} | TASK_POINTS, 0),
     PATCHES: ({"layer"}, FACE_COLOR),
     VORONOI: ({"borders", "exact"} | TASK_POINTS, FACE_COLOR | VERTEX_QUALITY),
     ISOLINES: ({"line_number", "values", "is_distance"}, 0),
     CUT: ({"line_number", "values", "is_distance"}, 0),
+    CUT_CURVE: ({"curve_layer", "max_snap_distance"}, 0),
     DISK: ({"radius", "vertex_index", "exact"} | TASK_POINTS, VERTEX_SELECTION | FACE_SELECTION),
     AREA: ({"radius", "vertex_index", "exact"} | TASK_POINTS, 0),
     BAND: ({"width", "curve_layer", "max_snap_distance", "spacing", "exact"}, 0),
@@ -104,7 +108,7 @@ ALL_FILTERS = [name for name in FILTERS if name not in (SAVE_INDEX, LOAD_INDEX)]
 FROM_A_POINT = [FROM_POINT, EXACT_FROM_POINT]
 FROM_A_SELECTION = [FROM_SELECTION, EXACT_FROM_SELECTION]
 FIELDS = [*FROM_A_POINT, *FROM_A_SELECTION, FROM_BORDER]
-OF_TASK_POINTS = [MATRIX, PAIRS_WITHIN, NEAREST, VORONOI, LLOYD, DISK, AREA, PATH_THROUGH, POLYGON]
+OF_TASK_POINTS = [MATRIX, PAIRS_WITHIN, NEAREST, VORONOI, LLOYD, DISK, AREA, PATH_THROUGH, POLYGON, SETS]
 
 PROJECT = Path(__file__).resolve().parents[2]
 

@@ -11,6 +11,7 @@ from support import (
     BAND,
     COMPARISON,
     CUT,
+    CUT_CURVE,
     DIRECTIONS,
     DISK,
     EXACT_FROM_POINT,
@@ -39,6 +40,7 @@ from support import (
     POISSON,
     POLYGON,
     SAVE_INDEX,
+    SETS,
     TIGHT,
     TWO_POINTS,
     VORONOI,
@@ -143,7 +145,7 @@ REFUSED = [
     *[(name, row, message) for name in OF_TASK_POINTS for row, message in BAD_POINTS],
     *[
         (name, parameters, message)
-        for name in (FROM_LAYER, NEAREST)
+        for name in (FROM_LAYER, NEAREST, SETS)
         for parameters, message in [
             ({"source_layer": 7}, "(source_layer) is 7, but there is no such layer"),
             ({"source_layer": 0}, "the current layer itself"),
@@ -174,7 +176,7 @@ REFUSED = [
     (LOOP, {"vertex_index": 5}, "Every loop through vertex 5 contracts to it"),
     *[
         (name, parameters, message)
-        for name in (TIGHT, BAND)
+        for name in (TIGHT, BAND, CUT_CURVE)
         for parameters, message in [
             ({}, "No edge is selected. Select edges, for example with 'Select Crease Edges', or choose a layer"),
             ({"curve_layer": 7}, "(curve_layer) is 7, but there is no such layer"),
@@ -183,6 +185,7 @@ REFUSED = [
         ]
     ],
     (TIGHT, {"curve_layer": 1}, "The curve has 1 points; give at least two, in order"),
+    (CUT_CURVE, {"curve_layer": 1}, "There are 1 points to pass through; give at least two"),
     (BAND, {"curve_layer": 1, "width": NEGATIVE}, "(width) is -1"),
     (BAND, {"curve_layer": 1, "spacing": NEGATIVE}, "(spacing) is -1"),
     (POLYGON, {}, "A polygon has three points or more; there are 1"),

@@ -10,6 +10,7 @@ from support import (
     BAND,
     COMPARISON,
     CUT,
+    CUT_CURVE,
     EXACT_FROM_POINT,
     EXACT_FROM_SELECTION,
     FROM_BORDER,
@@ -24,6 +25,7 @@ from support import (
     NEAREST,
     PATCHES,
     POLYGON,
+    SETS,
     TIGHT,
     TWO_POINTS,
     arrays,
@@ -44,7 +46,9 @@ NEEDED = {
     FROM_LAYER: "source_layer=1",
     NEAREST: "source_layer=1",
     FROM_EDGES: "from_border=true",
+    SETS: "source_layer=1",
     TIGHT: "curve_layer=1",
+    CUT_CURVE: "curve_layer=1",
     BAND: "curve_layer=1",
     POLYGON: "point_layer=1",
 }
@@ -53,13 +57,14 @@ NEEDED = {
 def surface_for(name: str, size: float):
     """A mesh of its own for every test, so that no test finds the index of another, and a layer of points.
 
-    For a girth a ball: sections of a rectangle meet its border; for loops a tube, which the points lie around.
+    For a girth a ball: sections of a rectangle meet its border; for loops a tube, which the points lie around. Those
+    of the rectangle lead from border to border.
     """
-    vertices, faces = sphere(2) if name == GIRTH else tube([1.0] * 8) if name in (TIGHT, LOOP) else grid(12, 12)
+    vertices, faces = sphere(2) if name == GIRTH else tube([1.0] * 12) if name in (TIGHT, LOOP) else grid(12, 12)
     vertices = vertices * size
     ms = mesh_set(vertices, faces)
     select_vertices(ms, [0, 50])
-    ms.add_mesh(pymeshlab.Mesh(vertices[[3, 31, 47]]), "points", set_as_current=False)
+    ms.add_mesh(pymeshlab.Mesh(vertices[[3, 31, 143]]), "points", set_as_current=False)
     return ms
 
 

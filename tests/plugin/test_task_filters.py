@@ -14,6 +14,7 @@ from support import (
     AREA,
     BAND,
     CUT,
+    CUT_CURVE,
     DISK,
     EXACT_FROM_POINT,
     EXTENT,
@@ -28,10 +29,12 @@ from support import (
     PATH_THROUGH,
     POISSON,
     POLYGON,
+    SETS,
     TWO_POINTS,
     VORONOI,
     arrays,
     exact_distances,
+    fails_and_changes_nothing,
     grid,
     layer_count,
     length,
@@ -39,6 +42,7 @@ from support import (
     select_vertices,
     side_by_side,
     sphere,
+    tube,
 )
 
 VERTICES, FACES = grid(20, 15, 0.2)
@@ -147,6 +151,20 @@ def test_nearest_points_of_a_layer(ms, points, exact, tmp_path):
     more = ms.apply_filter(NEAREST, neighbour_number=5, **given)
     np.testing.assert_array_equal(more["nearest"].reshape(4, 5)[:, 4], -1)
     assert np.isinf(more["distances"].reshape(4, 5)[:, 4]).all()
+
+
+@pytest.mark.parametrize("exact", [False, True])
+def test_distance_of_two_sets(ms, points, exact):
+    found = ms.apply_filter(SETS, source_layer=1, exact=exact, **points.parameters)
+    full = straight(points.at, BESIDE * [1, 1, 0])
+    to_second, to_first = full.min(axis=1), full.min(axis=0)
+    near = {"rtol": 1e-9 if exact else 1e-2, "atol": 1e-9}
+    np.testing.assert_allclose(found["distances"], to_second, **near)
+    np.testing.assert_allclose(found["nearest"], full.min(), **near)
+    np.testing.assert_allclose(found["mean"], (to_second.mean() + to_first.mean()) / 2, **near)
+    np.testing.assert_allclose(found["hausdorff"], max(to_second.max(), to_first.max()), **near)
+    np.testing.assert_array_equal(found["vertices"], points.numbers)
+    assert found["snap_distance"] == pytest.approx(0.25)
 
 
 def test_voronoi_regions_and_borders(ms, points):
@@ -437,6 +455,48 @@ def test_what_has_no_distance_is_a_part_of_its_own():
     np.testing.assert_array_equal(found["regions"], [0, 1, -1])
     assert ms.current_mesh().face_number() == len(sphere(2)[1])
     assert ms.current_mesh().vertex_matrix()[:, 0].min() > 5
+
+
+def test_a_cut_along_a_line_from_border_to_border():
+    ms = with_attributes(VERTICES, FACES, VERTICES[:, 0])
+    line = pymeshlab.Mesh(vertex_matrix=np.array([[0, 1.1, 0], [4, 1.3, 0.0]]), edge_matrix=np.array([[0, 1]]))
+    ms.add_mesh(line, set_as_current=False)
+    found = ms.apply_filter(CUT_CURVE, curve_layer=1)
+    assert found["parts"] == 2
+    assert (layer_count(ms), ms.current_mesh_id()) == (4, 3)
+    sizes = []
+    for i in (2, 3):
+        part = ms.mesh(i)
+        assert part.face_number() == found["faces"][i - 2]
+        sizes.append(areas(part.vertex_matrix(), part.face_matrix()).sum())
+        assert_attributes_are_kept(part, ms.mesh(0))
+        above = part.vertex_matrix()[:, 1] - (1.1 + 0.05 * part.vertex_matrix()[:, 0])
+        assert min(above.max(), -above.min()) < 1e-9
+    np.testing.assert_allclose(sorted(sizes), [4 * 1.2, 4 * 1.8], rtol=1e-9)
+
+
+def test_a_cut_along_a_closed_curve_leaves_other_components_out():
+    """Round a tube of ten sides."""
+    vertices, faces = tube([1.0] * 7, sides=10)
+    ms = mesh_set(*side_by_side((vertices, faces), sphere(2)))
+    turn = 2 * np.pi * np.arange(30) / 30
+    ring = np.column_stack([np.cos(turn), np.sin(turn), np.full(30, 2.3)])
+    ms.add_mesh(
+        pymeshlab.Mesh(vertex_matrix=ring, edge_matrix=np.column_stack([np.arange(30), np.roll(np.arange(30), -1)])),
+        set_as_current=False,
+    )
+    assert ms.apply_filter(CUT_CURVE, curve_layer=1)["parts"] == 2
+    around = 20 * np.sin(np.pi / 10)
+    sizes = [areas(ms.mesh(i).vertex_matrix(), ms.mesh(i).face_matrix()).sum() for i in (2, 3)]
+    np.testing.assert_allclose(sorted(sizes), [2.3 * around, 3.7 * around], rtol=1e-9)
+
+
+def test_a_curve_that_divides_nothing_is_refused(ms):
+    line = pymeshlab.Mesh(vertex_matrix=np.array([[1, 1.1, 0], [3, 1.3, 0.0]]), edge_matrix=np.array([[0, 1]]))
+    ms.add_mesh(line, set_as_current=False)
+    with fails_and_changes_nothing(ms, "The curve does not divide the surface: the same part lies on both sides"):
+        ms.apply_filter(CUT_CURVE, curve_layer=2)
+    assert layer_count(ms) == 3
 
 
 def test_diameter_and_centre_bounds_hold():
