@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # Builds what is uploaded to PyPI: the source archive, a wheel for Python 3.11 and one for Python 3.12 and later, both with
-# the plugins inside; and the wheel for Windows. docs/releasing.md says what to do with them.
+# the plugins inside; and wheels for Windows and for Linux on aarch64. docs/releasing.md says what to do with them.
 #
-# Usage: pyfilter/build_wheels.sh [--platform linux | --platform windows]
+# Usage: pyfilter/build_wheels.sh [--platform linux | windows | aarch64]
 #   They are left in build/wheels/dist. Compilers and Pythons are those of Debian roots (build/roots, made once, some 2 GB).
 #   linux, the default: the source archive and the two wheels. The C and C++ libraries are those of Debian 11, so that the
 #   wheels run on every system with glibc 2.31 or later. A PyMeshLab version whose headers cannot be had is named and left out.
-#   windows: the wheel for Python 3.11, compiled by mingw-w64; the numpy part.
+#   windows, aarch64: the wheel for Python 3.11, compiled by mingw-w64 or by Debian's cross compiler; the numpy part.
 #   VOROGEO_JOBS: compilers at a time (default: one per core).
 # Exit status 77 with a sentence on the standard error where no root can be made, or no Python for Windows be had.
 set -euo pipefail
@@ -14,8 +14,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 case "$*" in
   "" | "--platform linux") platform=linux ;;
-  "--platform windows") platform=windows ;;
-  *) echo "build_wheels.sh: unknown arguments '$*'; usage: pyfilter/build_wheels.sh [--platform linux | --platform windows]" >&2; exit 2 ;;
+  "--platform windows" | "--platform aarch64") platform="$2" ;;
+  *) echo "build_wheels.sh: unknown arguments '$*'; usage: pyfilter/build_wheels.sh [--platform linux | windows | aarch64]" >&2; exit 2 ;;
 esac
 jobs="${VOROGEO_JOBS:-$(nproc)}"
 version="$(cat VERSION)"
@@ -35,32 +35,24 @@ run_in_root() {
   fi
 }
 
-# The tree of the source archive: what compiles, with the settings of pyfilter/pyproject.toml at the top. By itself it builds
-# the numpy part, which needs no more than a compiler and the headers of Eigen.
-stage() {
-  rm -rf "$out/source"
-  mkdir -p "$out/source"
-  git ls-files -z --cached --others --exclude-standard core plugin pyfilter cmake CMakeLists.txt VERSION LICENSE |
-    tar -c --null --dereference --files-from=- | tar -x -C "$out/source"
-  cp pyfilter/README.md pyfilter/NOTICES.txt "$out/source/"
-  rm "$out/source/pyfilter/pyproject.toml"
-  sed -e 's#^wheel.packages = .*#wheel.packages = ["pyfilter/vorogeo"]\ncmake.source-dir = "pyfilter"\ncmake.define.VOROGEO_HOSTS = ""#' \
-    -e 's#^input = "../VERSION"#input = "VERSION"#' -e 's#^build-dir = .*#build-dir = "build/{wheel_tag}"#' \
-    pyfilter/pyproject.toml >"$out/source/pyproject.toml"
-}
-
-if [ "$platform" = windows ]; then
-  pyfilter/wheels/obtain_windows_python.sh >/dev/null
-  tests/roots/make_root.sh build/roots/builder-windows bookworm --no-install-recommends g++-mingw-w64-x86-64-posix cmake \
-    ninja-build python3 python3-venv libeigen3-dev ca-certificates wine wine64
-  rm -f "$out"/dist/*win_amd64.whl
-  stage
-  run_in_root windows windows CMAKE_BUILD_PARALLEL_LEVEL="$jobs" bash /project/pyfilter/wheels/build_for_windows.sh
-  ls -l "$out"/dist/*win_amd64.whl
+if [ "$platform" != linux ]; then
+  case "$platform" in
+    windows)
+      pyfilter/wheels/obtain_windows_python.sh >/dev/null
+      name=win_amd64 compiler=g++-mingw-w64-x86-64-posix runs_it="wine wine64" ;;
+    aarch64) name=aarch64 compiler=g++-aarch64-linux-gnu runs_it=qemu-user-static ;;
+  esac
+  # shellcheck disable=SC2086  # packages are words
+  tests/roots/make_root.sh "build/roots/builder-$platform" bookworm --no-install-recommends $compiler cmake ninja-build python3 \
+    python3-venv libeigen3-dev ca-certificates $runs_it
+  rm -f "$out"/dist/*"$name".whl
+  packaging/source_archive.sh >/dev/null
+  run_in_root "$platform" "$platform" CMAKE_BUILD_PARALLEL_LEVEL="$jobs" bash /project/pyfilter/wheels/build_cross.sh "$platform" "$version"
+  ls -l "$out"/dist/*"$name".whl
   exit
 fi
 
-find "$out/dist" -type f ! -name '*win_amd64.whl' -delete
+find "$out/dist" -type f ! -name '*win_amd64.whl' ! -name '*aarch64.whl' -delete
 # Headers are obtained by this system and handed into the roots.
 hosts=()
 inside=(--bind build/roots/sysroot /sysroot)
@@ -89,7 +81,7 @@ tests/roots/make_root.sh build/roots/sysroot bullseye --no-install-recommends li
 find build/roots/sysroot/usr/lib64 build/roots/sysroot/usr/lib/x86_64-linux-gnu -type l -lname '/*' | while read -r link; do
   ln -sfr "build/roots/sysroot$(readlink "$link")" "$link"
 done
-stage
+packaging/source_archive.sh >/dev/null
 build bookworm cp311
 build trixie abi3
 ls -l "$out/dist"

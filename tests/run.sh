@@ -5,9 +5,9 @@
 #   By default what a change needs before it lands: C++ and Python with the newest PyMeshLab, hostile meshes, and the contract,
 #   kernels and files under sanitizers; some 15 minutes on two cores after set-up.
 #   --quick: C++, Python and the newest PyMeshLab alone; some 3 minutes.
-#   --all: also older PyMeshLab versions, the core for arm64, the wheels, that for Windows under wine, long fuzzing, and the real
-#     window of MeshLab in both versions. Window and wheels need the rights of root and some 8 GB; where they cannot be run they
-#     are skipped, with the reason.
+#   --all: also older PyMeshLab versions, the core for arm64 and with libc++, all wheels, recipes, long fuzzing, and the real
+#     window of MeshLab in both versions. What needs the rights of root (and some 10 GB) is skipped where it cannot be run, with
+#     the reason.
 # Needs no terminal and may be run as often as you like; what is built is not built again. Logs and results lie in
 # build/test-results. VOROGEO_FUZZ_SECONDS: how long the fuzzer of index files runs (20, with --all 300); that of meshes runs a
 # quarter of it.
@@ -265,8 +265,11 @@ if [ "$all" = yes ]; then
   wait "$window_suites"
   rooted_suite wheels tests/wheels/run.sh
   rooted_suite windows tests/wheels/windows.sh -- "--junitxml=$results/windows.xml"
+  rooted_suite aarch64 tests/wheels/aarch64.sh
+  check "source archive and recipes" packaging/check.sh
+  rooted_suite debian packaging/build_debian.sh
 else
-  echo "skip what only --all runs: MeshLab's window, PyMeshLab 2022.2 and 2023.12, arm64, wheels, Windows, long fuzzing" >>"$checks"
+  echo "skip what only --all runs: MeshLab's window, PyMeshLab 2022.2 and 2023.12, arm64, libc++, wheels, recipes, long fuzzing" >>"$checks"
 fi
 [ "$quick" = no ] || echo "skip what --quick leaves out: sanitizers, fuzzers, hostile meshes, the installed library" >>"$checks"
 finish

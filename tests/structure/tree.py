@@ -8,7 +8,7 @@ from functools import cache
 from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parents[2]
-TOP = ("core", "include", "plugin", "pyfilter", "samples", "tests")
+TOP = ("core", "include", "packaging", "plugin", "pyfilter", "samples", "tests")
 SUFFIXES = (".cpp", ".h", ".py", ".pyi", ".sh", ".cmake")
 PACKAGE = Path("pyfilter", "vorogeo")
 

@@ -16,7 +16,7 @@ fi
 for tool in cc g++ cmake ninja make; do
   ! command -v "$tool" || { echo "$tool is installed here: this root shows nothing"; exit 1; }
 done
-wheel="$(ls "$dist"/*"$tag"-manylinux*.whl)"
+wheel="$(ls "$dist"/*"$tag"-manylinux*x86_64.whl)"
 "$venv/bin/pip" install "$wheel"
 "$venv/bin/python" -c "import vorogeo; print(vorogeo.__version__, vorogeo.__file__)"  # with nothing but numpy
 "$venv/bin/vorogeo" --version

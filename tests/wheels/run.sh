@@ -25,8 +25,8 @@ step() {
 tools=build/wheels/venv-upload
 [ -x "$tools/bin/auditwheel" ] || { python3 -m venv "$tools" && "$tools/bin/pip" install -q twine auditwheel; }
 step upload "$tools/bin/twine" check --strict "$dist"/vorogeo-*.whl "$dist"/vorogeo-*.tar.gz
-step tags "$tools/bin/python" tests/wheels/show_wheel.py "$dist"/*manylinux*.whl
-for wheel in "$dist"/*manylinux*.whl; do
+step tags "$tools/bin/python" tests/wheels/show_wheel.py "$dist"/*manylinux*x86_64.whl
+for wheel in "$dist"/*manylinux*x86_64.whl; do
   step "files-$(cut -d - -f 3,4 <<<"$(basename "$wheel")")" env "VOROGEO_WHEEL=$PWD/$wheel" \
     .venv/bin/python -m pytest -q -p no:cacheprovider tests/wheels/test_package_files.py
 done
@@ -43,7 +43,7 @@ install_in bookworm
 step numpy-cp311 in_user bookworm numpy cp311
 step filters-cp311-2025.7 in_user bookworm filters cp311 2025.7.post1
 step filters-cp311-2022.2 in_user bookworm filters cp311 2022.2.post4
-if [ -n "$(python3 -m zipfile -l "$dist"/*cp311-manylinux*.whl | grep plugins/2023.12)" ]; then
+if [ -n "$(python3 -m zipfile -l "$dist"/*cp311-manylinux*x86_64.whl | grep plugins/2023.12)" ]; then
   step filters-cp311-2023.12 in_user bookworm filters cp311 2023.12.post3
 else
   say "skipped: PyMeshLab 2023.12, its plugin is not in the wheel"
