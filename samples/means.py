@@ -23,7 +23,7 @@ print(
 middle, size = vertices.mean(axis=0), np.ptp(vertices, axis=0)
 turn = 2 * np.pi * np.arange(10) / 10
 star = np.where(np.arange(10) % 2, 0.14, 0.26)[:, None] * np.column_stack([np.cos(turn), np.sin(turn)])
-points = surface.snap(middle + size * np.column_stack([star + [0.08, -0.07], np.ones(10)]))
+points = surface.snap(middle + size * np.column_stack([star + np.array([0.08, -0.07]), np.ones(10)]))
 curve = surface.spline(points, closed=True, samples=24)
 print(f"{surface.last.seconds:.1f} s for a spline of length {curve.length:g}")
 mean = surface.frechet_mean(points)
