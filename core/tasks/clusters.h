@@ -15,7 +15,7 @@ struct Clusters {
   /// The nearest centre of each point, or of each vertex; no_index for a vertex without a face.
   std::vector<Index> label;
   /// The weighted sum of powers of the distances from the nearest centre, at the beginning and after each
-  /// round; it never rises.
+  /// round; it never rises, but by errors of an index.
   std::vector<double> energy;
 };
 

@@ -161,20 +161,21 @@ struct Label {
   }
 };
 
-/// Nearest site of each vertex, from fields bounded by the greatest distance of a vertex from its site.
-std::vector<Label> label_vertices(Workers& workers, const std::vector<SurfacePoint>& sites, double& radius,
+/// Nearest site of each vertex, from fields bounded by how far each region reaches.
+std::vector<Label> label_vertices(Workers& workers, const std::vector<SurfacePoint>& sites,
                                   const Progress& progress) {
-  const auto nearest = workers.field_on_all_threads(sites);
-  radius = 0.0;
-  for (double distance : nearest) {
-    if (distance < unreachable) radius = std::max(radius, distance);
+  std::vector<Index> region;
+  const auto nearest = workers.field_on_all_threads(sites, unreachable, &region);
+  std::vector<double> radius(sites.size(), 0.0);
+  for (std::size_t v = 0; v < nearest.size(); ++v) {
+    if (region[v] != no_index) radius[region[v]] = std::max(radius[region[v]], nearest[v]);
   }
   const std::size_t count = nearest.size();
   std::vector<std::vector<Label>> of_worker(workers.threads());
   parallel_for(sites.size(), workers.threads(), progress, "Lloyd relaxation", [&](std::size_t i, int worker) {
     auto& labels = of_worker[worker];
     labels.resize(count);
-    const auto field = workers.field(sites[i], bounded_field_slack * radius, worker);
+    const auto field = workers.field(sites[i], bounded_field_slack * radius[i], worker);
     for (std::size_t v = 0; v < count; ++v) {
       labels[v] = std::min(labels[v], Label{field[v], field[v] < unreachable ? static_cast<Index>(i) : -1});
     }
@@ -252,15 +253,15 @@ RelaxedPoints relax_points(Surface& surface, const PointList& given, Index round
   for (Index round = 0;; ++round) {
     const Progress of_round =
         progress.part(static_cast<double>(round) / (rounds + 1.0), (round + 1.0) / (rounds + 1.0));
-    double radius = 0.0;
-    const auto labels = label_vertices(workers, result.points, radius, of_round.part(0.0, 0.5));
+    const auto labels = label_vertices(workers, result.points, of_round.part(0.0, 0.5));
     std::vector<std::vector<Index>> region(points.size());
-    std::vector<double> energy(points.size(), 0.0);
+    std::vector<double> energy(points.size(), 0.0), radius(points.size(), 0.0);
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
       const Label& label = labels[v];
       if (label.site == no_index) continue;
       region[label.site].push_back(v);
       energy[label.site] += area[v] * powered(label.distance, power);
+      radius[label.site] = std::max(radius[label.site], label.distance);
     }
     result.energy.push_back(std::accumulate(energy.begin(), energy.end(), 0.0));
     result.region.clear();
@@ -277,7 +278,8 @@ RelaxedPoints relax_points(Surface& surface, const PointList& given, Index round
                      step[i] = 0.0;
                      return;
                    }
-                   const auto field = workers.field(candidate, 2.0 * bounded_field_slack * radius, worker);
+                   const double reach = radius[i] + labels[candidate.vertex].distance;
+                   const auto field = workers.field(candidate, bounded_field_slack * reach, worker);
                    double there = 0.0;
                    for (Index v : region[i]) there += area[v] * powered(field[v], power);
                    if (there < energy[i]) {

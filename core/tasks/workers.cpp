@@ -91,11 +91,12 @@ std::function<double(const SurfacePoint&)> Workers::field_at_points(const PointL
   return query(0).field_at_points(as_sources(sources), max_distance, answered_.by);
 }
 
-std::vector<double> Workers::field_on_all_threads(const PointList& sources, double max_distance) {
+std::vector<double> Workers::field_on_all_threads(const PointList& sources, double max_distance,
+                                                  std::vector<Index>* labels) {
   // Threads that share an exact field wait for one another: over a small part of the surface that takes
   // longer than the field.
   const bool is_shared = !is_exact() || surface_.reach_of(max_distance) > least_shared_reach;
-  return query(0).field(as_sources(sources), max_distance, answered_.by, is_shared ? threads() : 1);
+  return query(0).field(as_sources(sources), max_distance, answered_.by, is_shared ? threads() : 1, labels);
 }
 
 double Workers::distance(const SurfacePoint& source, const SurfacePoint& target, int worker) {

@@ -62,8 +62,10 @@ class Workers {
                                 int worker);
   /// See Query::field_at_points: from the nearest of several sources, until the next question.
   std::function<double(const SurfacePoint&)> field_at_points(const PointList& sources, double max_distance);
-  /// A field from the nearest of several sources, on all threads; only one such call at a time.
-  std::vector<double> field_on_all_threads(const PointList& sources, double max_distance = unreachable);
+  /// A field from the nearest of several sources, on all threads; only one such call at a time. `labels`: see
+  /// Query::field.
+  std::vector<double> field_on_all_threads(const PointList& sources, double max_distance = unreachable,
+                                           std::vector<Index>* labels = nullptr);
   /// See Query::distance.
   double distance(const SurfacePoint& source, const SurfacePoint& target, int worker);
   /// An order of points in which a matrix of pairs is filled faster, row by row: neighbours in one patch are

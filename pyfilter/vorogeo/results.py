@@ -158,7 +158,7 @@ class Clusters:
     centres: SurfacePoints = doc("c points.")
     energy: NDArray[np.float64] = doc(
         "Shape (rounds + 1,). The weighted sum of squared distances from the nearest centre (k_medoids: of distances), "
-        "at the beginning and after each round. It never rises."
+        "at the beginning and after each round. It never rises, but by errors of an index."
     )
 
 
