@@ -75,8 +75,10 @@ Results lloyd_relaxation(FilterCall& call) {
   const int rounds = number_of(call, "rounds", 0, ". Give 0 or more.");
   const auto layer = layer_of(call);
   const TaskPoints points = task_points(call, *layer, "that shall be relaxed");
-  auto [relaxed, answered, results] =
-      ask_task(call, *layer, "Lloyd relaxation", relax_points, points.points, rounds);
+  const auto relax = [&](Surface& surface, const TaskOptions& options) {
+    return relax_points(surface, points.points, rounds, options);
+  };
+  auto [relaxed, answered, results] = ask_task(call, *layer, "Lloyd relaxation", relax);
   results["rounds"] = static_cast<int>(relaxed.energy.size()) - 1;
   results["energy_before"] = relaxed.energy.front();
   results["energy_after"] = relaxed.energy.back();
