@@ -100,6 +100,16 @@ std::vector<double> slope_cost(const std::vector<Point>& positions,
   return translated([&] { return inner::slope_cost(positions, faces, up, penalty); });
 }
 
+std::vector<double> slope_cost(const std::vector<Point>& positions,
+                               const std::vector<std::array<int, 3>>& faces,
+                               const std::function<double(double)>& cost, const Point& up) {
+  return translated([&] {
+    std::vector<double> values = grades_of(positions, faces, up);
+    for (double& value : values) value = cost(value);
+    return values;
+  });
+}
+
 std::vector<Tensor> curvature_tensor(const std::vector<Point>& positions,
                                      const std::vector<std::array<int, 3>>& faces, double weight) {
   return translated([&] { return curvature_tensors(positions, faces, weight); });
@@ -141,6 +151,8 @@ Field Surface::field(const PointList& sources, const FieldOptions& options) cons
     Field field;
     field.distance = InputMap(at.mesh).of_vertices(std::move(found.distance));
     if (options.labels) field.label = InputMap(at.mesh).of_vertices(std::move(found.source));
+    field.expected_error = at.answered.expected_error;
+    field.unreached = at.answered.unreached;
     field.answered_by = static_cast<Answer>(at.answered.by);
     field.remark = std::move(at.answered.remark);
     return field;

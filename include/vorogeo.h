@@ -126,11 +126,13 @@ struct SnappedPoint {
 /// What distances are measured in, and on which part of the mesh. At most one is given of the first four and
 /// side_lengths.
 struct SurfaceOptions {
-  /// By vertex, above 0, linear over each face: what a unit of length costs.
+  /// By vertex, above 0, linear over each face: what a unit of length costs. Infinite: no path enters the
+  /// faces at the vertex.
   std::vector<double> vertex_cost = {};
   /// By vertex, linear over each face: the squared length of a step v is v' G v. Positive on the faces.
   std::vector<Tensor> vertex_tensor = {};
-  /// By face, above 0: paths refract at edges.
+  /// By face, above 0: paths refract at edges. Infinite: none enters the face, but along its border they may
+  /// go.
   std::vector<double> face_cost = {};
   /// By face: the squared length of a step v in it is v' G v; paths refract at edges.
   std::vector<Tensor> face_tensor = {};
@@ -141,7 +143,8 @@ struct SurfaceOptions {
   std::vector<std::array<double, 3>> side_lengths = {};
   /// By face or by vertex: false leaves the face, or all faces at the vertex, out of the surface.
   std::vector<bool> mask = {};
-  /// Borders at most this far apart that face each other are joined; not together with a metric.
+  /// Borders at most this far apart that face each other are joined. In a metric, a bridge costs its length
+  /// times the dearer side.
   double gap = 0.0;
   /// Join them also where the surface turns back.
   bool bridge_folds = false;
@@ -174,6 +177,10 @@ struct FieldOptions {
 struct Field {
   std::vector<double> distance = {};  ///< of every vertex
   std::vector<int> label = {};  ///< with labels, position of the nearest source in the list; -1 for none
+  /// Of an exact field, relative, in the mean: 0 but for rounding, or what is estimated where values of faces
+  /// jump. NaN by other methods.
+  double expected_error = std::numeric_limits<double>::quiet_NaN();
+  int unreached = 0;  ///< vertices to which no path leads, whatever the limit
   Answer answered_by = Answer::exact;
   std::string remark;  ///< what a user should know about the choice; mostly empty
 };
@@ -239,6 +246,12 @@ VOROGEO_API MeshReport check_mesh(const std::vector<Point>& positions,
 /// downhill. \throw InvalidInput for a penalty below 0, or `up` of length 0.
 VOROGEO_API std::vector<double> slope_cost(const std::vector<Point>& positions,
                                            const std::vector<std::array<int, 3>>& faces, double penalty = 1.0,
+                                           const Point& up = {0.0, 0.0, 1.0});
+/// A face_cost that is a function of the grade: rise by length on the map where the face is steepest,
+/// infinite for a wall. Where it is infinite, as above what a wheelchair climbs, is a barrier.
+VOROGEO_API std::vector<double> slope_cost(const std::vector<Point>& positions,
+                                           const std::vector<std::array<int, 3>>& faces,
+                                           const std::function<double(double grade)>& cost,
                                            const Point& up = {0.0, 0.0, 1.0});
 /// A vertex_tensor by which paths follow ridges, valleys and limbs: a step across them, where the surface is
 /// curved in one direction only, counts sqrt(1 + weight). Below 0 paths run around them. Planes and spheres

@@ -20,7 +20,7 @@ constexpr double at_vertex = 1e-9;
 /// The drift from the first corner of a face, or the first vertex of an edge, to a joint at a fraction.
 double drift_to(const FaceNorms& norms, const PathJoint& joint, double fraction, Index face, Index edge) {
   const Mesh& mesh = norms.mesh();
-  if (!mesh.is_one_way()) return 0.0;
+  if (!mesh.has_drifts()) return 0.0;
   const bool moves = joint.edge != no_index && (face != no_index || joint.edge == edge);
   const SurfacePoint point = moves ? point_on_edge(mesh, joint.edge, fraction) : joint.point;
   std::array<double, 3> weights{};

@@ -65,6 +65,8 @@ class LocalSolver {
   SurfacePath path_to_source(const SurfacePoint& target) const {
     return at(vertex_near(target), [&](const auto& s) { return s.path_to_source(target); });
   }
+  /// See WeightedSolver; 0 where the metric jumps nowhere.
+  double expected_error() { return points_ ? points_->expected_error() : 0.0; }
   double settled_distance() const {
     return least([](const auto& s) { return s.settled_distance(); });
   }

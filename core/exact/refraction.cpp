@@ -150,7 +150,7 @@ EdgeFrame FaceNorms::frame(Index halfedge) const {
   EdgeFrame frame;
   frame.along = mesh_->tail(halfedge) == mesh_->edge_vertices(mesh_->edge_of(halfedge))[0];
   frame.length = mesh_->side_length(halfedge);
-  if (mesh_->is_one_way()) {
+  if (mesh_->has_drifts()) {
     const double there = mesh_->drift(halfedge);
     frame.drift = frame.along ? there : -there;
     frame.apex_drift = frame.along ? -mesh_->drift(Mesh::previous_in_face(halfedge))

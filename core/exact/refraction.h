@@ -83,7 +83,7 @@ class FaceNorms {
     return std::abs(part) * edge_cost(edge) + part * mesh_->edge_drift(edge);
   }
   /// By how much the drift of an edge differs from what it is in the face of a half-edge; see RayAtEdge.
-  double shift(Index halfedge) const { return mesh_->is_one_way() ? one_way_shift(halfedge) : 0.0; }
+  double shift(Index halfedge) const { return mesh_->has_drifts() ? one_way_shift(halfedge) : 0.0; }
   EdgeFrame frame(Index halfedge) const;
 
   /// Point i of an edge: 0 and points_on(edge) + 1 are its first and second vertex.

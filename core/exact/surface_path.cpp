@@ -92,7 +92,7 @@ MeasuredLength measured_length(const Mesh& mesh, std::span<const SurfacePoint> p
     for_each_common_face(
         mesh, points[i], points[i + 1], [&](Index face, const Weights& from, const Weights& to) {
           MeasuredLength here = step_length(mesh, face, from, to);
-          if (mesh.is_one_way()) {
+          if (mesh.has_drifts()) {
             here.length +=
                 (to[1] - from[1]) * mesh.drift(3 * face) - (to[2] - from[2]) * mesh.drift(3 * face + 2);
           }

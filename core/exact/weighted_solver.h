@@ -43,6 +43,11 @@ class WeightedSolver {
   /// And a point of an edge.
   Index nearest_source(const EdgePoint& point) const;
 
+  /// Of the distances of the vertices that the last run has reached, relative, in the mean: what the waves of
+  /// neighbouring points disagree on is of the order of the error of a crossing between them, and adds up
+  /// along each path.
+  double expected_error();
+
   /// A shortest path from a point back to its nearest source, target first. Its edges are those by which the
   /// waves came; its crossings are moved to where its length is least, by Snell's law. Empty if unreachable.
   SurfacePath path_to_source(const SurfacePoint& target) const;
@@ -68,6 +73,7 @@ class WeightedSolver {
     double distance = unreachable;
     double slope = 0.0;
     double radius = 0.0;
+    float error = -1.0f;  ///< expected of the waves from it, relative; below 0: not known
     Index from = no_index;
     Index face = no_index;
     Index source : 30 = no_index;
@@ -88,18 +94,38 @@ class WeightedSolver {
   void reset(std::span<const ExactSource> sources, const ExactLimits& limits);
   void start_at(Index source);
   void reach(Index point, const Arrival& arrival);
+  /// A point of another side of a face that is crossed.
+  struct PointAcross {
+    Index point;
+    FaceNorms::Place place;
+    FaceNorms::Place direction;  ///< of its side
+    double dearer;               ///< as of RayAtEdge
+    double shift;                ///< likewise
+    double drift;                ///< from the first vertex of the side that is crossed
+  };
+  // Metrics with drifts have loops of their own, so that they cost the others nothing.
+  template <bool one_way>
+  class PointsAcross;
+  template <bool one_way>
   EdgeWave wave_at(Index edge, Index k) const;
+  template <bool one_way>
   WaveParts parts_of(Index edge, Index first) const;
   bool is_final(const ExactLimits& limits, double bound);
   double least_rest_at(Index vertex) const;
   double least_rest(Index point) const;
   bool is_beyond_limit(Index point) const;
   bool may_enter(Index face, double distance);
+  template <bool one_way>
   void settle(Index point);
+  template <bool one_way>
   void settle_vertex(Index vertex);
+  template <bool one_way>
   void run_along(Index edge, Index from, Index to);
+  template <bool one_way>
   void cross_from_vertex(Index corner);
+  template <bool one_way>
   void cross_from(Index edge, Index from);
+  template <bool one_way>
   void cross(Index halfedge, Index from);
   void cross_thin(Index halfedge, Index from);
   bool passes(Index point, Index face) const;
@@ -110,6 +136,7 @@ class WeightedSolver {
   Index go_back(Index point, CrossingPath& path) const;
   Index follow(const BackStep& step, CrossingPath& path) const;
   double estimate_at(const PathJoint& here, Index point) const;
+  double disagreement_at(Index point) const;
   void go_back_bent(Index point, CrossingPath& path) const;
   PathJoint joint_at(Index point) const;
   double within_limit(double distance) const { return distance <= max_distance_ ? distance : unreachable; }

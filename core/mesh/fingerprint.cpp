@@ -77,7 +77,7 @@ Fingerprint fingerprint_of(const Mesh& mesh) {
       const auto side = mesh.side_lengths(f);
       hash.add(bits_of(side[0]), bits_of(side[1]));
       hash.add(bits_of(side[2]), static_cast<std::uint64_t>(f));
-      if (!mesh.is_one_way()) continue;
+      if (!mesh.has_drifts()) continue;
       hash.add(bits_of(mesh.drift(3 * f)), bits_of(mesh.drift(3 * f + 1)));
     }
     return {hash.finished()};

@@ -618,6 +618,34 @@ GapBridges find_gap_bridges(const Mesh& mesh, const GapLimit& limit) {
   return bridges;
 }
 
+Metric with_bridges(const Mesh& mesh, const GapBridges& bridges, Metric metric) {
+  auto same = [&](Index v) { return bridges.same_as.empty() ? v : bridges.same_as[v]; };
+  std::vector<double> cost(mesh.positions().size(), 0.0);
+  for (const Index e : checked(mesh.edge_count())) {
+    if (!mesh.is_border_edge(e)) continue;
+    const Index face = Mesh::face_of(mesh.edge_halfedge(e));
+    const auto in_space = mesh.side_lengths(face);
+    const auto& sides = metric.sides[mesh.input_face(face)];
+    for (int i = 0; i < 3; ++i) {
+      if (!(in_space[i] > 0.0)) continue;
+      for (const Index v : mesh.edge_vertices(e))
+        cost[same(v)] = std::max(cost[same(v)], sides[i] / in_space[i]);
+    }
+  }
+  for (const auto& [a, b, c] : bridges.faces) {
+    const double dearest = std::max({cost[same(a)], cost[same(b)], cost[same(c)]});
+    auto length = [&](Index from, Index to) {
+      return dearest < unreachable ? dearest * distance_between(mesh.position(from), mesh.position(to))
+                                   : dearest;
+    };
+    metric.sides.push_back({length(b, c), length(c, a), length(a, b)});
+    if (!metric.drifts.empty()) metric.drifts.push_back({});
+  }
+  metric.points_per_edge = std::max(metric.points_per_edge, usual_edge_points);
+  metric.splits = {};
+  return metric;
+}
+
 double gap_to_join_all(const Mesh& mesh, bool folds) {
   const GapLimit limit{std::numeric_limits<double>::max(), folds};
   GapBridges equal;

@@ -59,6 +59,11 @@ void require_gap(const GapLimit& limit);
 /// edges, if the limit is no more than a few of them long.
 GapBridges find_gap_bridges(const Mesh& mesh, const GapLimit& limit);
 
+/// A metric with the sides of bridges: their lengths in space, times the greatest ratio of a side to its
+/// length in space in the border faces at the bridge's corners, so that it is as dear as its dearer side, and
+/// both ways cost the same. Faces are not split. `mesh`: without bridges. \pre The metric has sides.
+Metric with_bridges(const Mesh& mesh, const GapBridges& bridges, Metric metric);
+
 /// The least limit with which all faces are one component; `unreachable` if none would do.
 /// Complexity: O(b log b log c) for c components.
 double gap_to_join_all(const Mesh& mesh, bool folds);

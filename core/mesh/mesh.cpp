@@ -74,8 +74,13 @@ Mesh::Mesh(std::vector<Point> positions, std::vector<std::array<Index, 3>> faces
   count_given_faces(faces, metric.splits.given_face);
 }
 
-Mesh::Mesh(std::vector<Point> positions, std::vector<std::array<Index, 3>> faces, const GapBridges& bridges)
-    : positions_(std::move(positions)), face_vertices_(std::move(faces)), same_as_(bridges.same_as) {
+Mesh::Mesh(std::vector<Point> positions, std::vector<std::array<Index, 3>> faces, const GapBridges& bridges,
+           const Metric& metric)
+    : positions_(std::move(positions)),
+      face_vertices_(std::move(faces)),
+      same_as_(bridges.same_as),
+      points_per_edge_(metric.points_per_edge),
+      has_metric_(!metric.sides.empty()) {
   const auto given = static_cast<Index>(face_vertices_.size());
   const auto count = static_cast<Index>(same_as_.size());
   for (auto& face : face_vertices_) {
@@ -84,7 +89,7 @@ Mesh::Mesh(std::vector<Point> positions, std::vector<std::array<Index, 3>> faces
     }
   }
   face_vertices_.insert(face_vertices_.end(), bridges.faces.begin(), bridges.faces.end());
-  connect({});
+  connect(metric.sides, metric.drifts);
   if (bridges.faces.empty()) return;
   const auto first = std::ranges::lower_bound(input_face_, given);
   first_bridge_ = input_face_.empty() ? given : static_cast<Index>(first - input_face_.begin());
@@ -99,7 +104,7 @@ void Mesh::connect(const SideLengths& sides, const SideLengths& drifts) {
   if (has_positions_) require_finite(positions_);
   require_vertices(face_vertices_, vertex_count());
   list_corners();
-  leave_out_faces();
+  leave_out_faces(sides);
   link_edges();
   if (has_metric_) take_sides(sides);
   if (!drifts.empty()) take_drifts(drifts);
@@ -192,8 +197,9 @@ std::size_t Mesh::memory_bytes() const {
   return bytes(positions_) + bytes(face_vertices_) + bytes(input_face_) + bytes(same_as_) +
          bytes(middle_of_) + bytes(split_faces_) + bytes(halfedge_edge_) + bytes(next_around_edge_) +
          bytes(edge_vertices_) + bytes(edge_length_) + bytes(face_sides_) + bytes(face_drifts_) +
-         bytes(edge_drift_) + bytes(component_jumps_) + bytes(edge_halfedge_) + bytes(corner_begin_) +
-         bytes(corners_) + bytes(fan_) + bytes(border_) + bytes(total_angle_) + bytes(component_);
+         bytes(edge_drift_) + bytes(potential_) + bytes(component_jumps_) + bytes(edge_halfedge_) +
+         bytes(corner_begin_) + bytes(corners_) + bytes(fan_) + bytes(border_) + bytes(total_angle_) +
+         bytes(component_);
 }
 
 // ---- The scale that is advised for meshes that are too large or too small to compute with
@@ -232,8 +238,9 @@ void Mesh::list_corners() {
   }
 }
 
-/// Leaves out the faces that name a vertex twice, and those over the same three vertices as an earlier one.
-void Mesh::leave_out_faces() {
+/// Leaves out the faces that name a vertex twice, those that are impassable, and those over the same three
+/// vertices as an earlier one.
+void Mesh::leave_out_faces(const SideLengths& sides) {
   struct Keyed {
     Index middle, greatest, face;
     bool operator<(const Keyed& other) const {
@@ -250,6 +257,12 @@ void Mesh::leave_out_faces() {
       for (Index h : corners(v)) {
         const auto [middle, greatest] = std::minmax({head(h), apex(h)});
         if (middle < v) continue;
+        const auto face = static_cast<std::size_t>(face_of(h));
+        if (face < sides.size() && is_impassable(sides[face])) {
+          left_out[face] = 1;
+          any = true;
+          continue;
+        }
         keyed.push_back({middle, greatest, face_of(h)});
       }
       std::sort(keyed.begin(), keyed.end());
@@ -558,6 +571,7 @@ Mesh Mesh::reversed() const {
     for (double& drift : face) drift = -drift;
   }
   for (double& drift : mesh.edge_drift_) drift = -drift;
+  for (double& height : mesh.potential_) height = -height;
   return mesh;
 }
 
@@ -600,7 +614,6 @@ void Mesh::take_sides(const SideLengths& sides) {
   }
 }
 
-/// Along an edge, each way costs what it does in the face where it is cheapest.
 void Mesh::take_drifts(const SideLengths& drifts) {
   face_drifts_.resize(face_count());
   for (Index f = 0; f < face_count(); ++f) {
@@ -626,10 +639,59 @@ void Mesh::take_drifts(const SideLengths& drifts) {
                          ": a step against them would cost nothing or less; give a smaller drift.");
     }
   }
+  take_potentials();
   if (std::ranges::all_of(face_drifts_, [](const auto& d) { return d == std::array{0.0, 0.0, 0.0}; })) {
     face_drifts_.clear();
     return;
   }
+  drift_along_edges();
+}
+
+/// Replaces the drifts of each component round all of whose loops they sum to 0.
+void Mesh::take_potentials() {
+  std::vector<double> height(positions_.size(), 0.0);
+  std::vector<std::uint8_t> is_reached(positions_.size(), 0);
+  std::vector<Index> reached;
+  double greatest = 0.0;
+  auto reach = [&](Index vertex, double there) {
+    if (is_reached[vertex] != 0) return;
+    is_reached[vertex] = 1;
+    height[vertex] = there;
+    reached.push_back(vertex);
+  };
+  for (const Index first : checked(vertex_count())) {
+    if (is_reached[first] != 0) continue;
+    reached.clear();
+    reach(first, 0.0);
+    double scale = 0.0;
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+      const Index v = reached[i];
+      scale = std::max(scale, std::abs(height[v]));
+      for (const Index h : corners(v)) {
+        reach(head(h), height[v] + drift(h));
+        reach(apex(h), height[v] - drift(previous_in_face(h)));
+      }
+    }
+    auto fits = [&](Index v) {
+      return std::ranges::all_of(corners(v), [&](Index h) {
+        const double rise = height[head(h)] - height[v];
+        return std::abs(rise - drift(h)) <= agreement_rounding * (side_length(h) + scale);
+      });
+    };
+    const bool is_potential = std::ranges::all_of(reached, fits);
+    for (const Index v : reached) {
+      if (!is_potential) height[v] = 0.0;
+      for (const Index h : corners(v)) {
+        if (is_potential) face_drifts_[face_of(h)] = {};
+      }
+    }
+    if (is_potential) greatest = std::max(greatest, scale);
+  }
+  if (greatest > 0.0) potential_ = std::move(height);
+}
+
+/// Along an edge, each way costs what it does in the face where it is cheapest.
+void Mesh::drift_along_edges() {
   edge_drift_.resize(edge_count());
   for (const Index e : checked(edge_count())) {
     double forth = unreachable;
@@ -726,7 +788,7 @@ void Mesh::bound_straight_lines() {
     const double a = drift(3 * f);
     const double b = -drift(3 * f + 2);
     const double drift_squared = metric.bb * a * a - 2.0 * metric.ab * a * b + metric.aa * b * b;
-    const double share = is_one_way() ? 1.0 - std::sqrt(drift_squared / metric.determinant()) : 1.0;
+    const double share = has_drifts() ? 1.0 - std::sqrt(drift_squared / metric.determinant()) : 1.0;
     if (!(share > 0.0)) return;
     least = std::min(least, 2.0 * product / (sum + root) * share * share);
   }

@@ -1,6 +1,7 @@
 // The half-edge mesh, in flat arrays, on which everything in the core runs.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -27,6 +28,12 @@ inline double distance_between(const Point& a, const Point& b) {
 
 /// Lengths of the sides of faces: each opposite the corner of the same number.
 using SideLengths = std::vector<std::array<double, 3>>;
+
+/// Whether no path may enter a face with these sides: all are infinite.
+inline bool is_impassable(const std::array<double, 3>& sides) {
+  return std::ranges::all_of(sides,
+                             [](double side) { return side == std::numeric_limits<double>::infinity(); });
+}
 
 /// The position of all vertices of a surface that was given none.
 inline constexpr Point no_position{std::numeric_limits<double>::quiet_NaN(),
@@ -67,7 +74,7 @@ struct Metric {
       : sides(std::move(lengths)), points_per_edge(points) {}
 
   /// Of the faces as given; none: lengths in space. In a face that is split, the longest has the length of
-  /// the others together.
+  /// the others together. Infinite in a face that no path may enter: it is left out.
   SideLengths sides;
   /// Of the same sides, where the way back costs something else: from the next corner to the one after it, a
   /// step along the side costs its length and this, a step back its length less this. None: both ways cost
@@ -109,10 +116,12 @@ class Mesh {
   ///        disagree though the metric does not jump, or that break the triangle inequality, beyond rounding
   ///        (names the face and its three lengths), and for more than 1000 points on each edge.
   Mesh(std::vector<Point> positions, std::vector<std::array<Index, 3>> faces, const Metric& metric = {});
-  /// In space with its gaps closed: vertices keep their numbers, but faces name only the first of those that
-  /// are one, and the bridges follow the other faces. The others of these have no face; wherever a
-  /// point, a distance or a component is asked for, the first stands for them.
-  Mesh(std::vector<Point> positions, std::vector<std::array<Index, 3>> faces, const GapBridges& bridges);
+  /// With its gaps closed: vertices keep their numbers, but faces name only the first of those that are one,
+  /// and the bridges follow the other faces, as their sides do in the metric. The others of these have no
+  /// face; wherever a point, a distance or a component is asked for, the first stands for them. \pre The
+  /// metric has no splits.
+  Mesh(std::vector<Point> positions, std::vector<std::array<Index, 3>> faces, const GapBridges& bridges,
+       const Metric& metric = {});
 
   Index vertex_count() const { return static_cast<Index>(positions_.size()); }
   /// Without the vertices that splits of faces have added, which follow them.
@@ -148,7 +157,14 @@ class Mesh {
   bool has_metric() const { return has_metric_; }
   bool has_positions() const { return has_positions_; }
   /// Whether some step costs something else than the step back.
-  bool is_one_way() const { return !face_drifts_.empty(); }
+  bool is_one_way() const { return has_drifts() || has_potential(); }
+  /// Whether faces have drifts that are not those of a potential.
+  bool has_drifts() const { return !face_drifts_.empty(); }
+  /// Where the drifts of a component are those of a potential, they change no path: each costs its length,
+  /// which is all that the mesh has there, and what the potential rises by from its begin to its end. 0 in
+  /// other components.
+  bool has_potential() const { return !potential_.empty(); }
+  double potential(Index vertex) const { return potential_.empty() ? 0.0 : potential_[vertex]; }
   /// The same mesh on which every path costs what the path back costs here.
   Mesh reversed() const;
   /// Whether the faces of some edge disagree on its length.
@@ -252,10 +268,12 @@ class Mesh {
   void count_given_faces(const std::vector<std::array<Index, 3>>& given,
                          const std::vector<Index>& given_face);
   void list_corners();
-  void leave_out_faces();
+  void leave_out_faces(const SideLengths& sides);
   void link_edges();
   void take_sides(const SideLengths& sides);
   void take_drifts(const SideLengths& drifts);
+  void take_potentials();
+  void drift_along_edges();
   void require_agreement(Index edge, const SideLengths& sides) const;
   void bound_straight_lines();
   void measure_edges();
@@ -283,8 +301,9 @@ class Mesh {
   std::vector<std::array<Index, 2>> edge_vertices_;
   std::vector<double> edge_length_;
   SideLengths face_sides_;                     ///< of a metric that jumps
-  SideLengths face_drifts_;                    ///< empty if both ways cost the same everywhere
+  SideLengths face_drifts_;                    ///< empty without drifts but those of a potential
   std::vector<double> edge_drift_;             ///< likewise
+  std::vector<double> potential_;              ///< by vertex; empty if no component has one
   std::vector<std::uint8_t> component_jumps_;  ///< of a metric that jumps
   std::vector<Index> edge_halfedge_;
   std::vector<Index> corner_begin_;

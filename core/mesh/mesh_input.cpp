@@ -15,15 +15,23 @@ namespace vorogeo {
 std::shared_ptr<const Mesh> measured_mesh(MeshInput input) {
   auto& [positions, faces, metric, gap] = input;
   require_gap(gap);
-  if (gap.length > 0.0 && !metric.sides.empty()) {
-    throw InvalidInput(
-        "Gaps are bridged by their width in space, so not in a metric; leave out the gap or the metric.");
+  if (gap.length > 0.0 && !positions.empty() && std::isnan(positions[0][0])) {
+    throw InvalidInput("Gaps have a width in space, and this mesh has no positions; give them, or no gap.");
   }
   if (gap.length == 0.0) return std::make_shared<const Mesh>(std::move(positions), std::move(faces), metric);
   auto mesh = std::make_shared<const Mesh>(positions, faces);
   const GapBridges bridges = find_gap_bridges(*mesh, gap);
-  if (bridges.empty()) return mesh;
-  return std::make_shared<const Mesh>(std::move(positions), std::move(faces), bridges);
+  if (bridges.empty() && metric.sides.empty()) return mesh;
+  if (bridges.empty()) return std::make_shared<const Mesh>(std::move(positions), std::move(faces), metric);
+  if (!metric.sides.empty()) {
+    for (const SideLengths* rows : {&metric.sides, &metric.drifts}) {
+      if (rows->empty() || rows->size() == faces.size()) continue;
+      throw InvalidInput("The metric has " + std::to_string(rows->size()) + " rows for " +
+                         std::to_string(faces.size()) + " faces; give one for each.");
+    }
+    metric = with_bridges(*mesh, bridges, std::move(metric));
+  }
+  return std::make_shared<const Mesh>(std::move(positions), std::move(faces), bridges, metric);
 }
 
 // ---- Points
@@ -39,8 +47,8 @@ SurfacePoint InputMap::point_in(const InputPoint& point) const {
   }
   if (const auto found = in_face(point.face, point.weights)) return *found;
   throw InvalidInput("Face " + std::to_string(point.face) +
-                     " does not exist or is left out of the surface (it is masked, names a vertex twice or "
-                     "repeats a face), so no point lies in it.");
+                     " does not exist or is left out of the surface (it is masked or impassable, names a "
+                     "vertex twice or repeats a face), so no point lies in it.");
 }
 
 std::optional<SurfacePoint> InputMap::in_face(Index given_face, const std::array<double, 3>& weights) const {

@@ -24,9 +24,8 @@ struct MeshInput {
   GapLimit gap;
 };
 
-/// The mesh that is measured on: in space with its gaps bridged, or with its metric, for which faces may be
-/// split. Gap and metric together are refused, as the sides of bridges would have lengths in space.
-/// \throw InvalidInput, Cancelled.
+/// The mesh that is measured on: with its gaps bridged, or its metric, for which faces may be split, or both.
+/// \throw InvalidInput, also for gaps of a mesh without positions; Cancelled.
 std::shared_ptr<const Mesh> measured_mesh(MeshInput input);
 
 /// A point by the numbers of those who gave the mesh. What comes out of InputMap has a face with the weights

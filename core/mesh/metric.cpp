@@ -234,10 +234,11 @@ void require_one_for_each(std::size_t values, const char* what, std::size_t elem
 
 /// `element`: "Vertex" or "Face".
 void require_cost(double cost, const char* element, std::size_t number) {
-  if (cost > 0.0 && std::isfinite(cost)) return;
+  if (cost > 0.0) return;
   std::ostringstream text;
   text << element << " " << number << " has the cost " << cost
-       << "; a cost is the length of a path for each unit of its length in space, above 0 and finite.";
+       << "; a cost is the length of a path for each unit of its length in space, above 0; infinite where "
+          "none may lead.";
   throw InvalidInput(text.str());
 }
 
@@ -316,14 +317,24 @@ void require_positive(std::span<const Point> positions, const std::array<Index, 
 Metric lengths_by_cost(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
                        std::span<const double> cost) {
   require_one_for_each(cost.size(), "costs", positions.size(), "vertices");
-  for (std::size_t v = 0; v < cost.size(); ++v) require_cost(cost[v], "Vertex", v);
+  std::vector<std::array<Index, 3>> passable(faces.begin(), faces.end());
+  std::vector<std::size_t> barred;
+  for (const std::size_t f : checked(faces.size())) {
+    if (!is_usable(faces[f])) continue;
+    for (const Index v : faces[f]) require_cost(cost[v], "Vertex", static_cast<std::size_t>(v));
+    if (std::ranges::none_of(faces[f], [&](Index v) { return cost[v] == unreachable; })) continue;
+    passable[f] = {};
+    barred.push_back(f);
+  }
   std::vector<double> there(cost.begin(), cost.end());
   LengthsAlongLines lines{{positions.begin(), positions.end()}, {}, {}};
   lines.length = [&](Index a, Index b) {
     return distance_between(lines.place[a], lines.place[b]) * (0.5 * there[a] + 0.5 * there[b]);
   };
   lines.add_value = [&](Index a, Index b) { there.push_back(0.5 * there[a] + 0.5 * there[b]); };
-  return lengths_of_sides(faces, lines);
+  Metric metric = lengths_of_sides(passable, lines);
+  for (const std::size_t f : barred) metric.sides[f].fill(unreachable);
+  return metric;
 }
 
 Metric lengths_by_tensor(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
@@ -364,6 +375,10 @@ SideLengths sides_by_face_cost(std::span<const Point> positions, std::span<const
   for (std::size_t f = 0; f < faces.size(); ++f) {
     if (!is_usable(faces[f])) continue;
     require_cost(cost[f], "Face", f);
+    if (cost[f] == unreachable) {
+      sides[f].fill(unreachable);
+      continue;
+    }
     for (int i = 0; i < 3; ++i) {
       sides[f][i] =
           cost[f] * distance_between(positions[faces[f][(i + 1) % 3]], positions[faces[f][(i + 2) % 3]]);
@@ -396,7 +411,7 @@ SideLengths drifts_by_face(std::span<const Point> positions, std::span<const std
   require_one_for_each(drifts.size(), "drifts", faces.size(), "faces");
   SideLengths along(faces.size(), {0.0, 0.0, 0.0});
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    if (!is_usable(faces[f])) continue;
+    if (!is_usable(faces[f]) || is_impassable(sides[f])) continue;
     const Point& w = drifts[f];
     auto refuse = [&](const std::string& what) {
       throw InvalidInput("The drift of face " + std::to_string(f) + " " + what);
@@ -526,15 +541,45 @@ std::vector<Tensor> over_neighbours(const std::vector<Tensor>& of,
 
 }  // namespace
 
+namespace {
+
+Point upwards_of(const Point& up) {
+  const Point upwards = unit_of(up);
+  if (dot(upwards, upwards) > 0.5) return upwards;
+  throw InvalidInput("The direction upwards has no length; give a vector such as (0, 0, 1).");
+}
+
+}  // namespace
+
+std::vector<double> grades_of(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
+                              const Point& up) {
+  const Point upwards = upwards_of(up);
+  std::vector<double> grades;
+  grades.reserve(faces.size());
+  for (const auto& face : faces) {
+    const Point normal = unit_of(face_normal(positions, face));
+    if (dot(normal, normal) > 0.5) {
+      grades.push_back(length_of(cross(normal, upwards)) / std::abs(dot(normal, upwards)));
+      continue;
+    }
+    Point longest{};
+    for (int i = 0; i < 3; ++i) {
+      const Point side = minus(positions[face[(i + 1) % 3]], positions[face[i]]);
+      if (length_of(side) > length_of(longest)) longest = side;
+    }
+    const double level = length_of(cross(longest, upwards));
+    const double rise = std::abs(dot(longest, upwards));
+    grades.push_back(rise > 0.0 ? rise / level : 0.0);
+  }
+  return grades;
+}
+
 std::vector<double> slope_cost(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
                                const Point& up, double penalty) {
   if (!(penalty >= 0.0 && std::isfinite(penalty))) {
     throw InvalidInput("The slope penalty is " + std::to_string(penalty) + "; give a number of at least 0.");
   }
-  const Point upwards = unit_of(up);
-  if (!(dot(upwards, upwards) > 0.5)) {
-    throw InvalidInput("The direction upwards has no length; give a vector such as (0, 0, 1).");
-  }
+  const Point upwards = upwards_of(up);
   std::vector<double> cost;
   cost.reserve(positions.size());
   for (const Point& normal : vertex_normals(positions, faces)) {
@@ -628,7 +673,7 @@ Index edge_points_for(std::span<const Point> positions, std::span<const std::arr
   std::vector<double> stretch(faces.size(), 1.0);
   double greatest = 1.0;
   for (const std::size_t f : checked(faces.size())) {
-    if (!is_usable(faces[f])) continue;
+    if (!is_usable(faces[f]) || is_impassable(sides[f])) continue;
     std::array<double, 3> in_space{};
     for (int i = 0; i < 3; ++i) {
       in_space[i] = distance_between(positions[faces[f][(i + 1) % 3]], positions[faces[f][(i + 2) % 3]]);

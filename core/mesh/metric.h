@@ -19,8 +19,9 @@ using Tensor = std::array<double, 9>;
 /// the cost along it, which is its length times the mean cost of its ends.
 ///
 /// Where the cost varies strongly within a face, an edge may cost more than the other two sides together. The
-/// face is split then. Where it has no width, the edge gets the length of the two.
-/// \throw InvalidInput for a cost that is not above 0 and finite, or another number of costs than vertices.
+/// face is split then. Where it has no width, the edge gets the length of the two. An infinite cost makes the
+/// faces at its vertex impassable. \throw InvalidInput for a cost that is not above 0, but at vertices
+/// without faces, or another number of costs than vertices.
 Metric lengths_by_cost(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
                        std::span<const double> cost);
 
@@ -35,8 +36,8 @@ Metric lengths_by_tensor(std::span<const Point> positions, std::span<const std::
 
 /// The sides of each face in a norm of its own, which jumps at edges: two faces of an edge need not agree.
 ///
-/// A cost for each face: sides times cost. A tensor for each: roots of v' G v. \throw InvalidInput as above,
-/// by faces instead of vertices.
+/// A cost for each face: sides times cost, infinite where it is impassable. A tensor for each: roots of
+/// v' G v. \throw InvalidInput as above, by faces instead of vertices.
 SideLengths sides_by_face_cost(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
                                std::span<const double> cost);
 SideLengths sides_by_face_tensor(std::span<const Point> positions,
@@ -56,6 +57,11 @@ SideLengths drifts_by_face(std::span<const Point> positions, std::span<const std
 /// \throw InvalidInput for a penalty below 0 or not finite, or a direction of length 0.
 std::vector<double> slope_cost(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
                                const Point& up, double penalty);
+
+/// The grade of each face where it is steepest: rise by length on the map, infinite for a wall. Of a face
+/// without area: of its longest side. \throw InvalidInput for a direction of length 0.
+std::vector<double> grades_of(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
+                              const Point& up);
 
 /// A tensor for each vertex that makes one of the principal directions costlier: I + |weight| a d d', where
 /// a = (|k1| - |k2|) / (|k1| + |k2|) of the principal curvatures |k1| >= |k2|. With a weight above 0, d is

@@ -105,6 +105,15 @@ Point position_of(const Mesh& mesh, const SurfacePoint& point) {
   return result;
 }
 
+double potential_at(const Mesh& mesh, const SurfacePoint& point) {
+  if (point.is_vertex()) return mesh.potential(point.vertex);
+  double sum = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    sum += point.barycentric[i] * mesh.potential(mesh.face_vertices(point.face)[i]);
+  }
+  return sum;
+}
+
 bool weights_in_face(const Mesh& mesh, const SurfacePoint& point, Index face,
                      std::array<double, 3>& weights) {
   weights = {};

@@ -49,6 +49,9 @@ std::array<double, 3> distances_in_face(const Mesh& mesh, const SurfacePoint& po
 /// Position in space; NaN on a surface without positions.
 Point position_of(const Mesh& mesh, const SurfacePoint& point);
 
+/// Of a metric that goes one way (Mesh::potential), linear over each face.
+double potential_at(const Mesh& mesh, const SurfacePoint& point);
+
 /// Barycentric weights of a point in a face that holds it. \return false if the face does not hold it.
 bool weights_in_face(const Mesh& mesh, const SurfacePoint& point, Index face, std::array<double, 3>& weights);
 

@@ -45,15 +45,60 @@ const LocalSolver& Query::solved(std::span<const ExactSource> sources, const Exa
 
 namespace {
 
-/// What a solver has found in its last run, up to max_distance.
+/// Sources for solvers, which know nothing of a potential (Mesh::potential), and what it adds to their
+/// distances. Offsets must not be negative: in each component, the potential counts from its highest source.
+class Levelled {
+ public:
+  Levelled(const Mesh& mesh, std::span<const ExactSource> given, double greatest)
+      : sources(given), limit(greatest), max_distance(greatest), mesh_(mesh) {
+    if (!mesh.has_potential()) return;
+    highest_.assign(static_cast<std::size_t>(mesh.component_count()), -unreachable);
+    for (const auto& [point, offset] : given) {
+      double& highest = highest_[component_of(point)];
+      highest = std::max(highest, potential_at(mesh, point));
+    }
+    shifted_.assign(given.begin(), given.end());
+    for (auto& [point, offset] : shifted_) offset -= rise(point);
+    sources = shifted_;
+    double deepest = 0.0;
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      if (highest_[mesh.component(v)] > -unreachable)
+        deepest = std::min(deepest, rise(SurfacePoint::at_vertex(v)));
+    }
+    max_distance -= deepest;
+  }
+  /// The distance of a point, `unreachable` above the limit, by what the solver has found.
+  double distance(const SurfacePoint& point, double found) const {
+    if (found < unreachable && mesh_.has_potential()) found += rise(point);
+    return found <= limit ? found : unreachable;
+  }
+
+  std::span<const ExactSource> sources;
+  double limit;         ///< of distances
+  double max_distance;  ///< of what the solver finds
+
+ private:
+  Index component_of(const SurfacePoint& point) const {
+    return mesh_.component(point.is_vertex() ? point.vertex : mesh_.face_vertices(point.face)[0]);
+  }
+  double rise(const SurfacePoint& point) const {
+    return potential_at(mesh_, point) - highest_[component_of(point)];
+  }
+
+  const Mesh& mesh_;
+  std::vector<double> highest_;  ///< by component
+  std::vector<ExactSource> shifted_;
+};
+
+/// What a solver has found in its last run.
 template <class Solver>
-std::vector<double> field_of(const Solver& solver, double max_distance, std::vector<Index>* labels) {
+std::vector<double> field_of(const Solver& solver, const Levelled& from, std::vector<Index>* labels) {
   const Index count = solver.mesh().vertex_count();
   std::vector<double> field(count, unreachable);
   if (labels != nullptr) labels->assign(count, no_index);
   for (Index v = 0; v < count; ++v) {
-    const double distance = solver.distance(v);
-    if (!(distance <= max_distance && distance < unreachable)) continue;
+    const double distance = from.distance(SurfacePoint::at_vertex(v), solver.distance(v));
+    if (!(distance < unreachable)) continue;
     field[v] = distance;
     if (labels != nullptr) (*labels)[v] = solver.nearest_source(v);
   }
@@ -64,17 +109,18 @@ std::vector<double> field_of(const Solver& solver, double max_distance, std::vec
 
 std::vector<double> Query::field(std::span<const ExactSource> sources, double max_distance, AnswerMethod by,
                                  int threads, std::vector<Index>* labels, const Progress& progress) {
+  const Levelled from(*surface_.mesh(), sources, max_distance);
   if (by == AnswerMethod::index) {
     const Watch watch(progress, "Geodesic distances");
-    return field_of(index_field(sources, max_distance, threads, labels != nullptr), max_distance, labels);
+    return field_of(index_field(sources, max_distance, threads, labels != nullptr), from, labels);
   }
   if (by == AnswerMethod::exact) {
-    return field_of(solved(sources, max_distance, threads, true, progress), max_distance, labels);
+    return field_of(solved(from.sources, from.max_distance, threads, true, progress), from, labels);
   }
   const Watch watch(progress, "Quick geodesic distances");
   if (!quick_) quick_.emplace(surface_.mesh());
   quick_->run(sources, max_distance);
-  return field_of(*quick_, max_distance, labels);
+  return field_of(*quick_, from, labels);
 }
 
 std::vector<double> Query::distances(std::span<const ExactSource> sources, const PointList& targets,
@@ -102,14 +148,13 @@ std::vector<double> Query::distances(std::span<const ExactSource> sources, const
 
 std::function<double(const SurfacePoint&)> Query::field_at_points(std::span<const ExactSource> sources,
                                                                   double max_distance, AnswerMethod by) {
-  const auto read = [max_distance](const auto& solver) {
-    return [max_distance, &solver](const SurfacePoint& point) {
-      const double distance = solver.distance(point);
-      return distance <= max_distance ? distance : unreachable;
-    };
+  const auto from = std::make_shared<const Levelled>(*surface_.mesh(), sources, max_distance);
+  const auto read = [from](const auto& solver) {
+    return
+        [from, &solver](const SurfacePoint& point) { return from->distance(point, solver.distance(point)); };
   };
   if (by == AnswerMethod::index) return read(index_field(sources, max_distance, 1, false));
-  return read(solved(sources, max_distance, 1, false));
+  return read(solved(from->sources, from->max_distance, 1, false));
 }
 
 double Query::distance(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod by) {
@@ -120,9 +165,22 @@ double Query::distance(const SurfacePoint& source, const SurfacePoint& target, A
   return path(source, target, by, false, true).path.length;
 }
 
+namespace {
+
+/// A path whose length is that of a solver, with the rise of a potential.
+ExactPath raised(const Mesh& mesh, const SurfacePoint& source, const SurfacePoint& target, ExactPath path) {
+  if (path.path.length < unreachable)
+    path.path.length += potential_at(mesh, target) - potential_at(mesh, source);
+  return path;
+}
+
+}  // namespace
+
 ExactPath Query::path(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod by, bool exact,
                       bool certify) {
-  if (by != AnswerMethod::index) return mesh_paths().exact_path(source, target);
+  if (by != AnswerMethod::index) {
+    return raised(*surface_.mesh(), source, target, mesh_paths().exact_path(source, target));
+  }
   if (!index_paths_) index_paths_.emplace(surface_.index());
   if (!exact) return {index_paths_->path(source, target), false};
   const auto landmarks = surface_.landmarks();
@@ -215,7 +273,8 @@ void Query::exact_paths(const SurfacePoint& source, std::span<const SurfacePoint
   if (!propagation_) propagation_.emplace(surface_.geometry());
   propagation_->reset(source);
   for (std::size_t i = 0; i < targets.size(); ++i) {
-    found(i, mesh_paths().exact_path(*propagation_, targets[i]));
+    found(i,
+          raised(*surface_.mesh(), source, targets[i], mesh_paths().exact_path(*propagation_, targets[i])));
   }
 }
 

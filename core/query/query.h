@@ -57,6 +57,8 @@ class Query {
   /// source in the list, by vertex; no_index where there is none.
   std::vector<double> field(std::span<const ExactSource> sources, double max_distance, AnswerMethod by,
                             int threads, std::vector<Index>* labels = nullptr, const Progress& progress = {});
+  /// Of the field that was asked last, by the method exact: see WeightedSolver::expected_error.
+  double expected_error() { return solver_ ? solver_->expected_error() : 0.0; }
   /// The values of a field at some points. In a face they are interpolated from the corners, but exact where
   /// a source is near (IndexField::distance) or the method is exact.
   std::vector<double> distances(std::span<const ExactSource> sources, const PointList& targets,

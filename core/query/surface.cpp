@@ -140,7 +140,7 @@ std::shared_ptr<const LocalGeometry> Surface::geometry() {
 
 Surface& Surface::reversed() {
   if (!mesh_->is_one_way()) return *this;
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(reversed_mutex_);
   if (!reversed_) {
     reversed_ = std::make_unique<Surface>(std::make_shared<const Mesh>(mesh_->reversed()), options_);
   }
@@ -177,8 +177,12 @@ void Surface::give_back(std::unique_ptr<Query> query) {
 }
 
 void Surface::free_queries() {
-  const std::lock_guard lock(mutex_);
-  idle_.clear();
+  {
+    const std::lock_guard lock(mutex_);
+    idle_.clear();
+  }
+  const std::lock_guard lock(reversed_mutex_);
+  if (reversed_) reversed_->free_queries();
 }
 
 double Surface::short_reach() const {
@@ -205,7 +209,8 @@ double Surface::reach_of(double distance) {
 
 AnswerMethod Surface::at_once(bool is_field) const {
   if (index()) return AnswerMethod::index;
-  const bool is_quick = is_field && !mesh_->metric_jumps() && mesh_->vertex_count() > max_vertices_at_once;
+  const bool is_quick = is_field && !mesh_->metric_jumps() && !mesh_->is_one_way() &&
+                        mesh_->vertex_count() > max_vertices_at_once;
   return is_quick ? AnswerMethod::quick : AnswerMethod::exact;
 }
 
@@ -274,6 +279,22 @@ AnswerMethod Surface::choose(AnswerMethod method, double fields, double reach, A
 
 // ---- Fields
 
+namespace {
+
+/// Given vertices of components without a source.
+Index count_unreached(const Mesh& mesh, std::span<const ExactSource> sources) {
+  std::vector<std::uint8_t> has_source(static_cast<std::size_t>(mesh.component_count()), 0);
+  for (const auto& [point, offset] : sources) {
+    has_source[mesh.component(point.is_vertex() ? point.vertex : mesh.face_vertices(point.face)[0])] = 1;
+  }
+  if (std::ranges::find(has_source, 0) == has_source.end()) return 0;
+  Index count = 0;
+  for (Index v = 0; v < mesh.given_vertex_count(); ++v) count += has_source[mesh.component(v)] == 0;
+  return count;
+}
+
+}  // namespace
+
 LabelledField Surface::field(std::span<const ExactSource> sources, double max_distance, AnswerMethod method,
                              Answered& answered, const Progress& progress) {
   if (sources.empty()) throw InvalidInput("There is no source: give at least one.");
@@ -282,7 +303,8 @@ LabelledField Surface::field(std::span<const ExactSource> sources, double max_di
   answered = {};
   Progress rest = progress;
   const double reach = std::min(1.0, static_cast<double>(sources.size()) * reach_of(max_distance));
-  const bool is_large = mesh_->vertex_count() > max_vertices_exact && !mesh_->metric_jumps();
+  const bool is_large =
+      mesh_->vertex_count() > max_vertices_exact && !mesh_->metric_jumps() && !mesh_->is_one_way();
   if (method == AnswerMethod::automatic && is_large && reach > short_reach() && !index()) {
     answered.by = AnswerMethod::quick;
     answered.remark = "This mesh has more than " + std::to_string(max_vertices_exact) +
@@ -294,9 +316,12 @@ LabelledField Surface::field(std::span<const ExactSource> sources, double max_di
   const Stopwatch watch;
   LabelledField found;
   found.distance = lend([&](Query& query) {
-    return query.field(sources, max_distance, answered.by, threads_, &found.source, rest);
+    auto distance = query.field(sources, max_distance, answered.by, threads_, &found.source, rest);
+    answered.seconds = watch.seconds();
+    if (answered.by == AnswerMethod::exact) answered.expected_error = query.expected_error();
+    return distance;
   });
-  answered.seconds = watch.seconds();
+  answered.unreached = count_unreached(*mesh_, sources);
   if (answered.by == AnswerMethod::exact) {
     pay_for_fields(watch.rent(threads_for_field(*mesh_, threads_)), reach);
   }

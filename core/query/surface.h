@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -30,6 +31,10 @@ struct Answered {
   double seconds = 0.0;                   ///< of the answer alone
   double index_seconds = 0.0;             ///< of an index that was built for it; 0 if none was
   std::string remark;                     ///< what a user should know about the choice; empty if nothing
+  /// Of the distances of a field, relative, in the mean: 0 but for rounding where nothing jumps; NaN if it is
+  /// not by the method exact.
+  double expected_error = std::numeric_limits<double>::quiet_NaN();
+  Index unreached = 0;  ///< of a field: vertices to which no path leads, near or far
 };
 
 /// A distance field and the source that each vertex is nearest to.
@@ -125,8 +130,8 @@ class Surface {
   /// A query that no other thread has, until give_back(). After an exception, let it go instead.
   std::unique_ptr<Query> borrow();
   void give_back(std::unique_ptr<Query> query);
-  /// Frees the queries that no thread has: they answer the next question sooner, and hold memory for the
-  /// whole mesh.
+  /// Frees the queries that no thread has, also of the ways back: they answer the next question sooner, and
+  /// hold memory for the whole mesh.
   void free_queries();
   /// Lends a query to `body`, which it is called with.
   template <class Body>
@@ -159,8 +164,9 @@ class Surface {
   std::shared_ptr<const GeodesicIndex> index_;
   RentOrBuy spent_;
   std::shared_ptr<const LocalGeometry> geometry_;  ///< by geometry_mutex_
+  std::mutex reversed_mutex_;
+  std::unique_ptr<Surface> reversed_;  ///< by that one: a mesh is copied for it
   std::shared_ptr<const ExactLandmarks> landmarks_;
-  std::unique_ptr<Surface> reversed_;
   std::optional<double> area_;
   std::optional<double> field_seconds_;       ///< of an exact field, once it was estimated
   std::vector<std::unique_ptr<Query>> idle_;  ///< that no thread uses now

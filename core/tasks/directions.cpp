@@ -22,7 +22,7 @@ void require_agreeing_around(const LocalGeometry& geometry, const SurfacePoint& 
   const Mesh& mesh = *geometry.mesh;
   const Index corner = point.is_vertex() ? point.vertex : mesh.face_vertices(point.face)[0];
   // A vertex without faces may be all that is left where the metric does not jump.
-  if (!geometry.windows || mesh.metric_jumps_in(mesh.component(corner)))
+  if (mesh.has_potential() || !geometry.windows || mesh.metric_jumps_in(mesh.component(corner)))
     require_agreeing_faces(mesh, "Directions");
 }
 

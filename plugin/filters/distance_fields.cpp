@@ -126,6 +126,12 @@ Results write_distance_field(FilterCall& call, LayerSurface& layer, const std::v
   text << "Distances from " << sources.size() << kind << " to " << reach.reached << " vertices, the largest "
        << logged_length(reach.largest) << ", in " << std::setprecision(3) << answered.seconds << " s";
   call.log(text.str());
+  if (answered.expected_error > 0.0) {
+    std::ostringstream error;
+    error << "Expected error of the distances in this metric: " << std::setprecision(2)
+          << 100.0 * answered.expected_error << " % in the mean";
+    call.log(error.str());
+  }
   results.merge(about_reach(call, reach, "max distance"));
   const int count = numbers.empty() && !at_vertices ? 0 : static_cast<int>(sources.size());
   results[numbers.empty() ? "source_vertices" : "source_points"] = count;

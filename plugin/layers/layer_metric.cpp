@@ -58,12 +58,12 @@ std::vector<Scalarm> cost_of(const FilterCall& call, bool& is_kept) {
 /// A quality as a cost. \throw InvalidInput, naming the element by its number in the host.
 double checked_cost(const FilterCall& call, const char* element, Index number, Scalarm quality) {
   const auto value = static_cast<double>(quality);
-  if (value > 0.0 && std::isfinite(value)) return value;
+  if (value > 0.0) return value;
   const bool of_vertex = std::string(element) == "vertex";
   refuse(call, "metric", "the quality",
          ", but " + std::string(element) + " " + std::to_string(number) + " has quality " +
              std::to_string(value) +
-             ". A cost is a number above 0: 2 makes paths count twice there. Give all " +
+             ". A cost is a number above 0: 2 makes paths count twice there, infinity bars them. Give all " +
              (of_vertex ? "vertices" : "faces") + " such a quality, for example with 'Per " +
              (of_vertex ? "Vertex" : "Face") + " Scalar Function'.");
 }
@@ -141,6 +141,14 @@ Metric metric_in(const LayerMeasure& measure, const VcgMeshArrays& arrays) {
     case LayerMetric::face_quality:
       return {sides_by_face_cost(positions, faces, measure.cost), usual_edge_points};
     case LayerMetric::slope:
+      if (measure.steepest > 0.0) {
+        std::vector<double> costs;
+        for (const double grade : grades_of(positions, faces, {0, 0, 1})) {
+          const bool is_barrier = grade > measure.steepest;
+          costs.push_back(is_barrier ? unreachable : 1.0 + measure.weight * grade / std::hypot(1.0, grade));
+        }
+        return {sides_by_face_cost(positions, faces, costs), usual_edge_points};
+      }
       return lengths_by_cost(positions, faces, slope_cost(positions, faces, {0, 0, 1}, measure.weight));
     case LayerMetric::curvature:
       return lengths_by_tensor(positions, faces, curvature_tensors(positions, faces, measure.weight));
@@ -182,6 +190,10 @@ RichParameterList metric_parameters() {
       RichFloat("slope_penalty", 1, "Slope penalty",
                 "With the metric slope penalty: cost 1 on level ground and 1 plus this on a wall; z points "
                 "upwards.",
+                advanced),
+      RichFloat("steepest_grade", 0, "Steepest grade (0: any)",
+                "With the metric slope penalty: no path enters faces that rise more than this for each unit "
+                "of length on the map; 0.083 is 1 in 12.",
                 advanced),
       RichFloat("curvature_weight", 3, "Curvature weight",
                 "With the metric along curvature: above 0, paths follow ridges and limbs; below 0, they run "
@@ -226,6 +238,13 @@ LayerMeasure measure_of(const FilterCall& call) {
         refuse(call, "slope_penalty", penalty, ". Give a number of at least 0.");
       }
       measure.weight = penalty;
+      // Not in scripts that were written without it.
+      if (call.parameters.hasParameter("steepest_grade")) {
+        measure.steepest = call.parameters.getFloat("steepest_grade");
+      }
+      if (!(measure.steepest >= 0.0 && std::isfinite(measure.steepest))) {
+        refuse(call, "steepest_grade", measure.steepest, ". Give a number above 0, or 0 for any grade.");
+      }
       break;
     }
     case LayerMetric::curvature: {

@@ -10,8 +10,8 @@
 
 namespace vorogeo::plugin {
 
-// The parameters metric, slope_penalty and curvature_weight; and those by which every filter bridges gaps:
-// gap and bridge_folds.
+// The parameters metric, slope_penalty, steepest_grade and curvature_weight; and those by which every filter
+// bridges gaps: gap and bridge_folds.
 RichParameterList metric_parameters();
 QString help_on_metric();
 RichParameterList gap_parameters(const MeshDocument& document);

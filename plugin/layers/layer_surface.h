@@ -28,7 +28,8 @@ enum class LayerMetric { length, vertex_quality, slope, curvature, face_quality 
 /// What decides, besides a layer's mesh, which distances it has.
 struct LayerMeasure {
   LayerMetric metric = LayerMetric::length;
-  double weight = 0.0;  ///< slope_penalty or curvature_weight; 0 in other metrics
+  double weight = 0.0;    ///< slope_penalty or curvature_weight; 0 in other metrics
+  double steepest = 0.0;  ///< steepest_grade: faces above it are barriers; 0: none, and in other metrics
   std::vector<double>
       cost;  ///< by quality: of each vertex or face that is not deleted; empty in other metrics
   GapLimit gap;

@@ -71,11 +71,12 @@ class PathArrays {
   PointColumns columns_{};
 };
 
-/// What answered: by, seconds, index_seconds, remark.
-using About = std::tuple<std::string, double, double, std::string>;
+/// What answered: by, seconds, index_seconds, remark, expected_error, unreached.
+using About = std::tuple<std::string, double, double, std::string, double, Index>;
 
 inline About about(const Answered& answered) {
-  return {to_string(answered.by), answered.seconds, answered.index_seconds, answered.remark};
+  return {to_string(answered.by), answered.seconds,        answered.index_seconds,
+          answered.remark,        answered.expected_error, answered.unreached};
 }
 
 /// How arguments of a type are taken: None for a value that is missing, and no copy of what is filled.

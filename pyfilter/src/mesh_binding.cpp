@@ -232,6 +232,7 @@ void bind_mesh(nb::class_<HeldMesh>& mesh, nb::module_& module) {
   bind_metric<const VertexArray&>(module, "edge_points_for", edge_points_for);
   bind_metric<const VertexArray&, const VertexArray&>(module, "drifts_by_face", drifts_by_face);
   bind_metric<const PointArray&, double>(module, "slope_cost", slope_cost);
+  bind_metric<const PointArray&>(module, "grades_of", grades_of);
   bind_metric<double>(module, "curvature_tensors", curvature_tensors);
 }
 

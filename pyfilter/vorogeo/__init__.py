@@ -38,9 +38,11 @@ from .metrics import VertexCost as VertexCost
 from .metrics import VertexTensor as VertexTensor
 from .metrics import curvature_tensor as curvature_tensor
 from .metrics import hiking_time as hiking_time
+from .metrics import naismith as naismith
 from .metrics import slope_cost as slope_cost
 from .metrics import tobler as tobler
 from .metrics import travel_time as travel_time
+from .metrics import wheelchair as wheelchair
 from .plugin import load_on_import as _load_on_import
 from .plugin import load_plugin as load_plugin
 from .points import EdgeCurve as EdgeCurve

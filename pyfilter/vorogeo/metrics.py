@@ -13,6 +13,9 @@ from . import _arguments as check
 from . import _core
 from .errors import InvalidInput
 
+#: What a unit of length costs at each grade: a function, or rows of a grade and its cost.
+CostOfGrade = Callable[[NDArray[np.float64]], ArrayLike] | ArrayLike
+
 
 class FaceSplits(NamedTuple):
     """Faces in parts, where a metric varies too much for one triangle.
@@ -41,8 +44,8 @@ class MetricLengths(NamedTuple):
     Attributes
     ----------
     lengths : ndarray of float64, shape (m, 3)
-        Of the side opposite each corner; 0 in a face that names a vertex twice. In a face that is split, the longest
-        side has the length of the other two together.
+        Of the side opposite each corner; 0 in a face that names a vertex twice, infinite in one that no path may enter.
+        In a face that is split, the longest side has the length of the other two together.
     shortened_edges : int
         Edges that would still be longer than the other two sides of a face together, after faces were split. No
         shortest path follows them, and they have the length of these two sides.
@@ -117,7 +120,7 @@ class VertexCost:
     ----------
     cost : array_like, shape (n,)
         Above 0: COST per unit of length, not speed. Where it is 2, paths count twice; on a map of speeds, give
-        ``1 / speed``.
+        ``1 / speed``. Infinite: no path enters the faces at the vertex.
 
     Examples
     --------
@@ -130,7 +133,7 @@ class VertexCost:
         _own(self, "cost", (), "a number above 0 for each vertex, of shape (n,)")
 
     def edge_lengths(self, vertices: ArrayLike | None, faces: ArrayLike) -> MetricLengths:
-        """The integrals of the cost along the edges; there is one above 0 and finite for each vertex."""
+        """The integrals of the cost along the edges; there is one above 0 for each vertex of a face."""
         return _lengths(*_core.lengths_by_cost(*_arrays(self, vertices, faces), np.asarray(self.cost)))
 
 
@@ -168,7 +171,8 @@ class FaceCost:
     Parameters
     ----------
     cost : array_like, shape (m,)
-        Above 0: COST per unit of length, not speed. Along an edge the cheaper of its faces counts.
+        Above 0: COST per unit of length, not speed. Along an edge the cheaper of its faces counts. Infinite: no path
+        enters the face, but it may go along its edges with others.
     points : int, default 6
         Points on the median edge, 1 to 1000, from which faces are crossed; long edges have more. Errors fall with its
         square or faster, time grows with it.
@@ -191,7 +195,7 @@ class FaceCost:
         object.__setattr__(self, "points", check.integer("points", self.points, 1, 1000))
 
     def edge_lengths(self, vertices: ArrayLike | None, faces: ArrayLike) -> MetricLengths:
-        """The sides of each face, times its cost, above 0 and finite: the two faces of an edge disagree."""
+        """The sides of each face, times its cost, above 0: the two faces of an edge disagree."""
         sides = _core.sides_by_face_cost(*_arrays(self, vertices, faces), np.asarray(self.cost))
         return MetricLengths(sides, 0, points=self.points)
 
@@ -275,9 +279,9 @@ class FaceRanders:
 
 
 def slope_cost(
-    vertices: ArrayLike, faces: ArrayLike, up: ArrayLike = (0.0, 0.0, 1.0), penalty: float = 1.0
-) -> VertexCost:
-    """A cost for terrain that grows with the slope: 1 on level ground, 1 + penalty on a wall.
+    vertices: ArrayLike, faces: ArrayLike, up: ArrayLike = (0.0, 0.0, 1.0), penalty: float | CostOfGrade = 1.0
+) -> VertexCost | FaceCost:
+    """A cost for terrain that grows with the slope: 1 on level ground, 1 + penalty on a wall; or any function of grade.
 
     Parameters
     ----------
@@ -285,19 +289,30 @@ def slope_cost(
         As for `Surface`: shapes (n, 3) and (m, 3).
     up : array_like, shape (3,)
         The direction upwards, of any length.
-    penalty : float, default 1
-        At least 0; the cost is 1 + penalty sin(slope), with the slope between the normal and `up`.
+    penalty : float, function of an ndarray, or array_like of shape (k, 2), default 1
+        A number of at least 0: the cost is 1 + penalty sin(slope), with the slope between the normal and `up`. A
+        function or table of the grade of each face where it is steepest (rise by length on the map, at least 0): what a
+        unit of length costs there, as for `hiking_time`. Where it is infinite, as above 1 in 12 by `wheelchair`, is a
+        barrier.
 
     Returns
     -------
-    VertexCost
+    VertexCost, or FaceCost of a function or table
         The same uphill, downhill and along the slope; `hiking_time` tells them apart.
+
+    Examples
+    --------
+    >>> vorogeo.slope_cost(vertices, faces, penalty=vorogeo.wheelchair)
+    >>> vorogeo.slope_cost(vertices, faces, penalty=[[0, 1], [0.2, 1.5], [0.6, 4]])  # and no way where it is steeper
     """
     towards = check.positions("up", up)
     if towards.shape != (1, 3):
         raise InvalidInput(f"up: has shape {np.shape(up)}; give one vector of three numbers.")
+    mesh = _mesh(vertices, faces)
+    if callable(penalty) or np.ndim(penalty) > 0:
+        return FaceCost(_costs_at("penalty", penalty, _core.grades_of(*mesh, towards[0])))
     least = check.real("penalty", penalty, "a number of at least 0")
-    return VertexCost(_core.slope_cost(*_mesh(vertices, faces), towards[0], least))
+    return VertexCost(_core.slope_cost(*mesh, towards[0], least))
 
 
 def curvature_tensor(vertices: ArrayLike, faces: ArrayLike, weight: float = 3.0) -> VertexTensor:
@@ -337,7 +352,7 @@ def travel_time(
     wind : array_like, shape (3,) or (m, 3)
         The velocity of what carries it, in all faces or in each; its part across a face does not count.
     speed : float or array_like, shape (m,), default 1
-        Its own speed, above that of the wind.
+        Its own speed, above that of the wind. Both may be NaN in faces that a mask leaves out.
 
     Returns
     -------
@@ -349,19 +364,22 @@ def travel_time(
     count = len(triangles)
     along, normal = _spread("wind", wind, (count, 3)), _normals(positions, triangles)
     own = _spread("speed", speed, (count,))
-    if not (own > 0).all():
-        f = int(np.flatnonzero(~(own > 0))[0])
+    if (own <= 0).any():
+        f = int(np.flatnonzero(own <= 0)[0])
         raise InvalidInput(f"speed: is {own[f]:g} in face {f}; give finite numbers above 0.")
     relative = (along - (along * normal).sum(axis=1, keepdims=True) * normal) / own[:, None]
     lam = 1 - (relative * relative).sum(axis=1)
-    bad = np.flatnonzero(~(lam > 0))
+    bad = np.flatnonzero(lam <= 0)
     if bad.size:
         f = int(bad[0])
         raise InvalidInput(
             f"wind: in face {f} it has {np.linalg.norm(relative[f]):g} times the speed {own[f]:g}, so there is no way "
             "against it; give finite speeds above 0 that are greater than the wind's."
         )
+    unknown = np.isnan(lam)
+    lam[unknown], relative[unknown], own = 1, np.nan, np.where(unknown, 1, own)
     tensors = np.eye(3) / lam[:, None, None] + relative[:, :, None] * relative[:, None, :] / (lam**2)[:, None, None]
+    tensors[unknown] = np.eye(3)
     return FaceRanders(tensors / (own**2)[:, None, None], -relative / (lam * own)[:, None], points)
 
 
@@ -375,10 +393,20 @@ def tobler(grade: ArrayLike) -> NDArray[np.float64]:
     return pace
 
 
+def naismith(grade: ArrayLike) -> NDArray[np.float64]:
+    """Seconds per metre on the map at a grade, by Naismith's rule: 5 km/h, and an hour for each 600 m of ascent."""
+    return 0.72 + 6 * np.maximum(np.asarray(grade, dtype=np.float64), 0)
+
+
+def wheelchair(grade: ArrayLike) -> NDArray[np.float64]:
+    """1 for each unit of length at a grade of up to 1 in 12, infinite where it is steeper."""
+    return np.where(np.abs(grade) <= (1 + 1e-9) / 12, 1.0, np.inf)
+
+
 def hiking_time(
     vertices: ArrayLike,
     faces: ArrayLike,
-    pace: Callable[[NDArray[np.float64]], ArrayLike] = tobler,
+    pace: CostOfGrade = tobler,
     up: ArrayLike = (0.0, 0.0, 1.0),
     points: int | None = None,
 ) -> FaceRanders:
@@ -388,9 +416,10 @@ def hiking_time(
     ----------
     vertices, faces, points
         As for `Surface` and `FaceRanders`.
-    pace : function of an ndarray, default `tobler`
+    pace : function of an ndarray, or array_like of shape (k, 2), default `tobler`
         The cost per unit of length on the map at each grade: rise by length on the map, below 0 downhill. Above 0;
-        infinite for grades at which none can go, as with the limit of a wheelchair.
+        infinite for grades at which none can go, as with `wheelchair`. A table has rows of a grade, ascending, and its
+        cost: linear between them, infinite beyond them.
     up : array_like, shape (3,)
         The direction upwards, of any length.
 
@@ -408,7 +437,7 @@ def hiking_time(
     sine = np.linalg.norm(rise, axis=1)
     uphill = np.divide(rise, sine[:, None], out=np.zeros_like(rise), where=sine[:, None] > 0)
     grade = sine / np.maximum(np.sqrt(np.maximum(0.0, 1 - sine * sine)), 1e-6)
-    level = _pace_at(pace, np.zeros(1))[0]
+    level = _costs_at("pace", pace, np.zeros(1))[0]
     ascent, descent = (_climb(pace, grade, sine, way) for way in (1.0, -1.0))
     if not (np.isfinite(level) and np.isfinite(ascent).all() and np.isfinite(descent).all()):
         raise InvalidInput("pace: is infinite on the level, or at all grades up or down; give finite costs near 0.")
@@ -417,24 +446,35 @@ def hiking_time(
     return FaceRanders(level**2 * np.eye(3) + steep, half[:, None] * uphill, points)
 
 
-def _climb(
-    pace: Callable[[NDArray[np.float64]], ArrayLike], grade: NDArray[np.float64], sine: NDArray[np.float64], way: float
-) -> NDArray[np.float64]:
+def _climb(pace: CostOfGrade, grade: NDArray[np.float64], sine: NDArray[np.float64], way: float) -> NDArray[np.float64]:
     """The cost of a unit of length straight up (way 1) or down (-1) each slope, or by zigzags at a gentler grade."""
     grades = np.geomspace(1e-3, 1e3, 60001)
-    least = np.minimum.accumulate(_pace_at(pace, way * grades) / grades)
+    least = np.minimum.accumulate(_costs_at("pace", pace, way * grades) / grades)
     gentler = np.searchsorted(grades, grade, side="right")
     by_zigzag = np.where(gentler > 0, least[np.maximum(gentler - 1, 0)] * sine, np.inf)
-    straight: NDArray[np.float64] = _pace_at(pace, way * grade) / np.sqrt(1 + grade * grade)
+    straight: NDArray[np.float64] = _costs_at("pace", pace, way * grade) / np.sqrt(1 + grade * grade)
     return np.minimum(straight, by_zigzag)
 
 
-def _pace_at(pace: Callable[[NDArray[np.float64]], ArrayLike], grades: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Its values, one above 0 for each grade."""
-    found = check.numbers("pace", pace(grades), "a function that returns a number above 0 for each grade")
-    if found.shape != grades.shape or not (found > 0).all():
-        raise InvalidInput("pace: returns other values than one above 0 for each grade; give such a function.")
-    return found
+def _costs_at(name: str, cost: CostOfGrade, grades: NDArray[np.float64]) -> NDArray[np.float64]:
+    """What a function or a table of grade says, one above 0 for each grade."""
+    if callable(cost):
+        found = check.numbers(name, cost(grades), "a function that returns a number above 0 for each grade")
+        if found.shape != grades.shape or not (found > 0).all():
+            raise InvalidInput(f"{name}: returns other values than one above 0 for each grade; give such a function.")
+        return found
+    wanted = "a function of grade, or a table with rows of a grade, ascending, and its cost above 0"
+    table = np.asarray(check.numbers(name, cost, wanted), dtype=np.float64)
+    if table.ndim != 2 or table.shape[1] != 2 or not len(table):
+        raise InvalidInput(f"{name}: has shape {table.shape}; give {wanted}.")
+    at, costs = table.T
+    bad = ~(np.isfinite(at) & (costs > 0) & (np.diff(at, prepend=-np.inf) > 0))
+    if bad.any():
+        row = int(np.flatnonzero(bad)[0])
+        raise InvalidInput(f"{name}[{row}]: is {table[row].tolist()}; give {wanted}.")
+    none = np.isinf(costs)
+    barred = np.interp(grades, at, none, 1, 1) > 0
+    return np.where(barred, np.inf, np.interp(grades, at, np.where(none, 0, costs)))
 
 
 def _normals(positions: NDArray[np.float64], faces: NDArray[np.int32]) -> NDArray[np.float64]:
@@ -450,7 +490,9 @@ def _spread(name: str, values: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.
     """Finite numbers for each face, or the same in all."""
     wanted = f"finite numbers of shape {shape}, or {shape[1:] or 'one'} for all faces"
     array = np.asarray(check.numbers(name, values, wanted), dtype=np.float64)
-    if array.shape not in (shape, shape[1:]) or not np.isfinite(array).all():
+    # NaN in a face may be one that is left out; the core refuses others.
+    known = np.isfinite(array) | (np.isnan(array) & (array.shape == shape))
+    if array.shape not in (shape, shape[1:]) or not known.all():
         raise InvalidInput(f"{name}: has shape {array.shape} or a value that is not finite; give {wanted}.")
     return np.broadcast_to(array, shape)
 

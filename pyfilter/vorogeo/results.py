@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Annotated, Any, NamedTuple
 
@@ -220,6 +221,12 @@ class Answered(NamedTuple):
     seconds: Annotated[float, "Of the answer, without the build of an index."]
     index_seconds: Annotated[float, "Of an index that was built for it; 0 if none was."]
     remark: Annotated[str, "What to know about the choice; empty if nothing."]
+    expected_error: Annotated[
+        float,
+        "Of the distances of an exact field, relative, in the mean: 0 but for rounding, or what is estimated where "
+        "values of faces jump. NaN for other answers.",
+    ] = math.nan
+    unreached: Annotated[int, "Of a field: vertices to which no path leads, whatever the limit."] = 0
 
 
 @documented

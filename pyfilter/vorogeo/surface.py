@@ -50,7 +50,7 @@ class Surface(Means):
         What paths cost; None is their length in space. All distances, radii and areas are then in its unit.
     gap, bridge_folds : float and bool, optional
         Borders up to `gap` apart that face each other (`bridge_folds`: or do not), and equal positions, are joined in
-        the mesh that is measured on, crossed at the cost of their width. Not together with a metric.
+        the mesh that is measured on, crossed at the cost of their width, with a metric times the dearer side.
 
     Attributes
     ----------

@@ -61,6 +61,8 @@ def jumps(shape: Shape) -> bool:
 
 def can_answer(by: str, shape: Shape) -> bool:
     """Whether an answerer promises anything: quick fields do for lengths, where no angles are very sharp or wide."""
+    if isinstance(shape.metric, vorogeo.FaceRanders):
+        return by in ("exact", "automatic", "function")
     return by != "quick" or (shape.metric is None and shape.name not in ("needles", "saddle"))
 
 
@@ -194,18 +196,20 @@ def isolines(shape: Shape, values: Floats, levels: Sequence[float] | int, interp
     return index(shape).isolines(values, levels, interpolation)
 
 
-def bridged(by: str, mesh: tuple[Floats, Ids], gap: float, folds: bool = False) -> Any:
+def bridged(by: str, mesh: tuple[Floats, Ids], gap: float, folds: bool = False, metric: Any = None) -> Any:
     """A surface or an index whose gaps are bridged."""
     if by in ("index", "by index, exact"):
-        return vorogeo.GeodesicIndex(*mesh, patches=(3, 3), gap=gap, bridge_folds=folds)
-    return vorogeo.Surface(*mesh, gap=gap, bridge_folds=folds)
+        return vorogeo.GeodesicIndex(*mesh, patches=(3, 3), gap=gap, bridge_folds=folds, metric=metric)
+    return vorogeo.Surface(*mesh, gap=gap, bridge_folds=folds, metric=metric)
 
 
-def gap_field(by: str, mesh: tuple[Floats, Ids], source: int, gap: float, folds: bool = False) -> NDArray[Any]:
+def gap_field(
+    by: str, mesh: tuple[Floats, Ids], source: int, gap: float, folds: bool = False, metric: Any = None
+) -> NDArray[Any]:
     """A field on a mesh whose gaps are bridged."""
     if by == "function":
-        return vorogeo.exact_distance_field(*mesh, source, gap=gap, bridge_folds=folds)
-    return bridged(by, mesh, gap, folds).distance_field(source, **choice(by))
+        return vorogeo.exact_distance_field(*mesh, source, gap=gap, bridge_folds=folds, metric=metric)
+    return bridged(by, mesh, gap, folds, metric).distance_field(source, **choice(by))
 
 
 def refused(sentence: str, kind: type[Exception] = vorogeo.InvalidInput) -> Any:

@@ -79,6 +79,18 @@ def refraction(dear: float = 3.0) -> Shape:
     return shape("shore", (vertices, faces), between, metric=metric, slack=OF_FACES)
 
 
+def drifting(base: Shape, drift: Floats) -> Shape:
+    """A shape on which a step v costs drift . v besides its length, so that ways back cost something else."""
+    identity = np.broadcast_to(np.eye(3), (len(base.faces), 3, 3))
+    tensors = base.metric.tensors if isinstance(base.metric, vorogeo.FaceTensor) else identity
+    metric = vorogeo.FaceRanders(tensors, np.broadcast_to(drift, (len(base.faces), 3)))
+
+    def between(a: Floats, b: Floats) -> Floats:
+        return base.between(a, b) + surfaces.steps(a[:, :3], b[:, :3]) @ drift
+
+    return replace(base, name=f"{base.name} with a drift", metric=metric, between=between)
+
+
 def metrics(random: Rng, saddle: Shape) -> list[Shape]:
     """Every shape with a metric of its own; small ones, since an index of values of faces takes its time."""
     flat, tube = surfaces.plane(random, 11, 8), surfaces.prism(8)

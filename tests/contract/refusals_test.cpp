@@ -1,6 +1,7 @@
 // Refusals: a question that has no answer gets a sentence that names the element and what would be accepted.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 
@@ -170,7 +171,7 @@ TEST(RefusalsContract, MetricsThatAreNoneNameTheVertexOrFace) {
     return EdgeLengths{sides};
   };
   std::vector<Refused> all;
-  for (const double bad : {0.0, -2.0, no_number, unreachable}) {
+  for (const double bad : {0.0, -2.0, no_number}) {
     all.push_back({"cost", measured(VertexCost{costs(42, 17, bad)}), {"ertex 17"}});
     all.push_back({"cost", measured(FaceCost{costs(80, 17, bad)}), {"ace 17"}});
   }
@@ -186,7 +187,10 @@ TEST(RefusalsContract, MetricsThatAreNoneNameTheVertexOrFace) {
   }
   all.push_back({"gap", measured({}, -1.0), {"gap", "-1"}});
   all.push_back({"gap", measured({}, no_number), {"gap", "nan"}});
-  all.push_back({"gap and metric", measured(VertexCost{costs(42, 0, 1.0)}, 0.1), {"gap", "metric"}});
+  test::Soup nowhere = sphere;
+  std::ranges::fill(nowhere.positions, no_position);
+  const Input unplaced{nowhere, EdgeLengths{sides_of(sphere, 1.0)}, 0.1};
+  all.push_back({"gap", [=] { const Ask ask(unplaced); }, {"Gaps", "no positions"}});
   expect_refused(all);
 }
 

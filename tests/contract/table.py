@@ -59,6 +59,12 @@ LENGTHS = [
 ]
 METRICS = metric_surfaces.metrics(_random, next(shape for shape in LENGTHS if shape.name == "saddle"))
 SHAPES = [*LENGTHS, *METRICS]
+#: Surfaces on which a way back costs something else: an exact answer is all that they have, and tasks refuse them.
+DRIFTS = [
+    metric_surfaces.drifting(shape, np.array([0.3, -0.4, 0.2]))
+    for shape in SHAPES
+    if shape.name in ("plane", "prism", "parts", "plane with one FaceTensor")
+]
 #: Surfaces on which the distance of any two vertices, and of points in faces, follows from a formula.
 UNROLLED = [each for each in SHAPES if each.name not in ("half-plane", "shore", "bumpy")]
 

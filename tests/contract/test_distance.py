@@ -14,14 +14,14 @@ def some_pairs(shape: Shape, random: Rng, count: int = 12) -> tuple[np.ndarray, 
     return random.choice(shape.sources, count), random.integers(0, len(shape.vertices), count).astype(np.int32)
 
 
-@table.asked(ask.DISTANCES, table.SHAPES)
+@table.asked(ask.DISTANCES, [*table.SHAPES, *table.DRIFTS])
 def test_k_pairs_get_their_distances(by: str, shape: Shape, random: Rng) -> None:
     source, target = some_pairs(shape, random)
     expected = np.array([shape.matrix([a], [b])[0, 0] for a, b in zip(source, target, strict=True)])
     ask.assert_answers(by, shape, ask.distance(by, shape, source, target), expected)
 
 
-@table.asked(ask.DISTANCES, table.SHAPES)
+@table.asked(ask.DISTANCES, [*table.SHAPES, *table.DRIFTS])
 def test_a_single_pair_gets_a_number_that_is_the_one_in_a_list(by: str, shape: Shape, random: Rng) -> None:
     source, target = some_pairs(shape, random, 4)
     several = ask.distance(by, shape, source, target)
@@ -39,14 +39,14 @@ def test_the_distance_from_a_point_to_itself_is_zero(by: str, shape: Shape) -> N
     assert ask.distance(by, shape, lone, lone) == 0
 
 
-@table.asked(ask.DISTANCES, table.UNROLLED)
+@table.asked(ask.DISTANCES, [*table.UNROLLED, *table.DRIFTS])
 def test_points_lie_anywhere_in_faces_and_on_edges(by: str, shape: Shape, random: Rng) -> None:
     source, target = (table.points_anywhere(shape, random, 8) for _ in "ab")
     expected = np.diag(shape.between(shape.charted(source), shape.charted(target)))
     ask.assert_answers(by, shape, ask.distance(by, shape, source, target), expected)
     vertex = int(shape.sources[0])
     mixed = ask.distance(by, shape, [source[0], vertex], [vertex, target[0]])
-    to_vertex = shape.between(shape.charted([vertex]), shape.charted(source[:1]))[0, 0]
+    to_vertex = shape.between(shape.charted(source[:1]), shape.charted([vertex]))[0, 0]
     from_vertex = shape.between(shape.charted([vertex]), shape.charted(target[:1]))[0, 0]
     ask.assert_answers(by, shape, mixed, np.array([to_vertex, from_vertex]))
 

@@ -13,19 +13,19 @@ import table
 import vorogeo
 from surfaces import Rng, Shape
 
-STEADY = [shape for shape in table.UNROLLED if not ask.jumps(shape)]
+STEADY = [shape for shape in [*table.UNROLLED, *table.DRIFTS] if not ask.jumps(shape)]
 #: Who takes other sources than vertices.
 KINDS_OF_POINTS = ("exact", "index", "by index, exact", "quick")
 
 
-@table.asked(ask.FIELDS, table.SHAPES)
+@table.asked(ask.FIELDS, [*table.SHAPES, *table.DRIFTS])
 def test_each_vertex_gets_its_distance_and_infinity_where_no_path_leads(by: str, shape: Shape) -> None:
     answer = np.array([ask.field(by, shape, int(source)) for source in shape.sources])
     ask.assert_answers(by, shape, answer, shape.fields(shape.sources))
     np.testing.assert_array_equal(answer[np.arange(len(shape.sources)), shape.sources], 0)
 
 
-@table.asked([*KINDS_OF_POINTS, "function"], table.UNROLLED)
+@table.asked([*KINDS_OF_POINTS, "function"], [*table.UNROLLED, *table.DRIFTS])
 def test_of_several_sources_the_nearest_counts(by: str, shape: Shape) -> None:
     sources = np.r_[shape.sources, shape.sources[:1]]
     ask.assert_answers(by, shape, ask.field(by, shape, sources), shape.fields(sources).min(axis=0))
@@ -46,7 +46,13 @@ def test_offsets_are_added_and_the_label_is_the_source_of_the_least_sum(by: str,
     assert (of_label <= sums.min(axis=0)[reached] * (1 + slack) + 1e-12).all()
 
 
-@table.asked([*KINDS_OF_POINTS, "function"], table.UNROLLED)
+@pytest.mark.parametrize("shape", table.DRIFTS, ids=str)
+def test_distances_to_the_sources_are_those_of_the_ways_there(shape: Shape) -> None:
+    answer = np.array([ask.field("exact", shape, int(source), to=True) for source in shape.sources])
+    ask.assert_answers("exact", shape, answer, shape.between(shape.chart, shape.charted(shape.sources)).T)
+
+
+@table.asked([*KINDS_OF_POINTS, "function"], [*table.UNROLLED, *table.DRIFTS])
 def test_a_limit_makes_what_is_farther_infinite_and_leaves_the_rest(by: str, shape: Shape) -> None:
     source = int(shape.sources[1])
     expected = shape.fields([source])[0]

@@ -43,6 +43,52 @@ def test_a_plane_in_parts_is_one(by: str, mesh: Mesh) -> None:
         np.testing.assert_allclose(field, straight(mesh[0], source), rtol=tolerance(by), atol=1e-9)
 
 
+#: A metric that costs 2 left of the gap and 5 right of it, and across the gap what the dearer side does.
+SIDES = {
+    "vertices": lambda right, m: vorogeo.VertexCost(np.where(right, 5.0, 2.0)),
+    "faces": lambda right, m: vorogeo.FaceCost(np.where(right[plates()[1][:, 0]], 5.0, 2.0)),
+    "tensors": lambda right, m: vorogeo.FaceTensor(
+        np.where(right[plates()[1][:, 0]], 25.0, 4.0)[:, None, None] * np.eye(3)
+    ),
+    "drifts": lambda right, m: vorogeo.FaceRanders(
+        np.where(right[plates()[1][:, 0]], 25.0, 4.0)[:, None, None] * np.eye(3), np.tile([0.75, 0.0, 0.0], (m, 1))
+    ),
+}
+
+
+@pytest.mark.parametrize("kind", SIDES)
+def test_a_bridge_costs_its_length_times_the_dearer_side(kind: str) -> None:
+    vertices, faces = plates()
+    surface = vorogeo.Surface(
+        vertices, faces, metric=SIDES[kind](vertices[:, 0] > 1 + WIDTH / 2, len(faces)), gap=2 * WIDTH
+    )
+    source, across = 0, np.flatnonzero((vertices[:, 1] == 0) & (vertices[:, 0] > 1 + WIDTH / 2))
+    drift = 0.75 if kind == "drifts" else 0.0
+    beyond = vertices[across, 0] - 1 - WIDTH
+    there = 2 + drift + 5 * WIDTH + (5 + drift) * beyond
+    back = 2 - drift + 5 * WIDTH + (5 - drift) * beyond
+    np.testing.assert_allclose(surface.distance_field(source)[across], there, rtol=1e-9)
+    np.testing.assert_allclose(surface.distance_field(source, to=True)[across], back, rtol=1e-9)
+    np.testing.assert_allclose(surface.distance(source, across), there, rtol=1e-9)
+
+
+@pytest.mark.parametrize("by", ["exact", "index", "function"])
+def test_one_cost_everywhere_holds_over_gaps_too(by: str) -> None:
+    vertices, faces = plates()
+    for metric in (vorogeo.VertexCost(np.full(len(vertices), 3.0)), vorogeo.FaceCost(np.full(len(faces), 3.0))):
+        for source in (0, len(vertices) - 1):
+            field = ask.gap_field(by, (vertices, faces), source, 2 * WIDTH, metric=metric)
+            np.testing.assert_allclose(field, 3 * straight(vertices, source), rtol=tolerance(by), atol=1e-9)
+
+
+def test_no_bridge_leads_to_a_barrier() -> None:
+    vertices, faces = plates()
+    cost = np.where(vertices[:, 0] > 1 + WIDTH / 2, np.inf, 1.0)
+    surface = vorogeo.Surface(vertices, faces, metric=vorogeo.VertexCost(cost), gap=2 * WIDTH)
+    np.testing.assert_array_equal(np.isinf(surface.distance_field(0)), np.isinf(cost))
+    assert surface.last.unreached == np.isinf(cost).sum()
+
+
 @pytest.mark.parametrize("by", WAYS)
 def test_a_surface_that_turns_back_is_joined_only_with_bridged_folds(by: str) -> None:
     vertices, faces = surfaces.plain_grid(17, 8, 2, 1)

@@ -44,7 +44,7 @@ def slack(by: str, shape: Shape) -> float:
     return shape.slack + (REFINED if by == "index" else 0)
 
 
-@table.asked(ask.PATHS, table.SHAPES)
+@table.asked(ask.PATHS, [*table.SHAPES, *table.DRIFTS])
 def test_paths_between_vertices_are_shortest(by: str, shape: Shape, random: Rng) -> None:
     source = random.choice(shape.sources, 6)
     target = random.integers(0, len(shape.vertices), 6)
@@ -76,7 +76,7 @@ def test_paths_between_points_in_faces_are_shortest(by: str, shape: Shape, rando
             assert path.length == np.inf
 
 
-@table.asked(["exact", "index", "by index, exact", "function"], table.SHAPES)
+@table.asked(["exact", "index", "by index, exact", "function"], [*table.SHAPES, *table.DRIFTS])
 def test_exact_paths_are_certified_unless_the_metric_jumps(by: str, shape: Shape, random: Rng) -> None:
     target = random.permutation(len(shape.vertices))[:5]
     for path in ask.path(by, shape, np.full(5, shape.sources[0]), target):

@@ -269,6 +269,7 @@ TEST(Library, DriftsMakeWaysDiffer) {
     EXPECT_NEAR(surface.field(0, {.to = true}).distance[2], cost * std::sqrt(2.0) - 0.25, 1e-12);
     EXPECT_NEAR(surface.distance(1, 3), cost * std::sqrt(2.0) - 0.25, 1e-12);
     EXPECT_NEAR(surface.path(3, 1).length, cost * std::sqrt(2.0) + 0.25, 1e-12);
+    EXPECT_TRUE(surface.path(3, 1).certified) << "one drift everywhere changes no path";
   }
   EXPECT_EQ(Surface(level, square, {.face_drift = {{0, 0, 0}, {0, 0, 0}}}).distances_from(0),
             Surface(level, square, {.face_cost = {1.0, 1.0}}).distances_from(0));
@@ -283,6 +284,35 @@ TEST(Library, DriftsMakeWaysDiffer) {
             std::string::npos);
 }
 
+TEST(Library, InfiniteCostsAreBarriers) {
+  const std::vector<vorogeo::Point> level{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const std::vector<std::array<int, 3>> square{{0, 1, 2}, {0, 2, 3}};
+  for (const auto& options :
+       {vorogeo::SurfaceOptions{.face_cost = {2.0, vorogeo::unreachable}},
+        vorogeo::SurfaceOptions{.vertex_cost = {2.0, 2.0, 2.0, vorogeo::unreachable}}}) {
+    const Surface surface(level, square, options);
+    const auto field = surface.field(0);
+    EXPECT_EQ(field.unreached, 1);
+    EXPECT_EQ(field.expected_error, 0.0);
+    EXPECT_NEAR(field.distance[2], 2.0 * std::sqrt(2.0), 1e-12) << "along the edge of the barrier";
+    EXPECT_EQ(field.distance[3], vorogeo::unreachable);
+    EXPECT_TRUE(surface.path(0, 3).points.empty());
+    EXPECT_NE(sentence_of<vorogeo::InvalidInput>([&] {
+                surface.distance(0, {1, {0.2, 0.3, 0.5}});
+              }).find("Face 1 does not exist or is left out of the surface (it is masked or impassable"),
+              std::string::npos);
+  }
+}
+
+TEST(Library, ABridgeCostsItsLengthTimesTheDearerSide) {
+  const std::vector<vorogeo::Point> apart{{0, 0, 0},   {1, 0, 0},   {1, 1, 0},
+                                          {1.5, 0, 0}, {2.5, 0, 0}, {1.5, 1, 0}};
+  const std::vector<std::array<int, 3>> two{{0, 1, 2}, {3, 4, 5}};
+  const Surface surface(apart, two, {.face_cost = {2.0, 5.0}, .gap = 0.6});
+  EXPECT_NEAR(surface.distance(0, 4), 2.0 + 0.5 * 5.0 + 5.0, 1e-12);
+  EXPECT_EQ(Surface(apart, two, {.face_cost = {2.0, 5.0}}).distance(0, 4), vorogeo::unreachable);
+}
+
 TEST(Library, SlopesCostAndPlanesKeepTheirLengths) {
   const std::vector<std::array<int, 3>> square{{0, 1, 2}, {0, 2, 3}};
   const std::vector<vorogeo::Point> level{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
@@ -290,6 +320,9 @@ TEST(Library, SlopesCostAndPlanesKeepTheirLengths) {
   EXPECT_EQ(vorogeo::slope_cost(level, square, 2.0), std::vector(4, 1.0));
   EXPECT_EQ(vorogeo::slope_cost(wall, square, 2.0), std::vector(4, 3.0));
   EXPECT_EQ(vorogeo::slope_cost(wall, square, 2.0, {0, 7, 0}), std::vector(4, 1.0));
+  const auto no_walls = [](double grade) { return grade < 100.0 ? 1.0 + grade : vorogeo::unreachable; };
+  EXPECT_EQ(vorogeo::slope_cost(level, square, no_walls), std::vector(2, 1.0));
+  EXPECT_EQ(vorogeo::slope_cost(wall, square, no_walls), std::vector(2, vorogeo::unreachable));
   for (const auto& tensor : vorogeo::curvature_tensor(level, square)) {
     EXPECT_EQ(tensor, (vorogeo::Tensor{1, 0, 0, 0, 1, 0, 0, 0, 1})) << "a plane keeps its lengths";
   }

@@ -206,6 +206,7 @@ REFUSED = [
     (SAVE_INDEX, {"index_file": "/tmp/x.vgi"}, "There is no index for this mesh as it is. Run 'Geodesic index: build"),
     (EXACT_FROM_POINT, {"vertex_index": 0, "gap": NEGATIVE}, '"Bridge gaps up to" (gap) is -1'),
     (EXACT_FROM_POINT, {"metric": "Slope penalty", "slope_penalty": -1}, "Give a number of at least 0."),
+    (EXACT_FROM_POINT, {"metric": "Slope penalty", "steepest_grade": -1}, "or 0 for any grade."),
     (EXACT_FROM_POINT, {"metric": "Vertex quality as cost"}, "(metric) is the quality, but vertex 0 has quality 0"),
     (EXACT_FROM_POINT, {"metric": "Face quality as cost"}, "The faces have no quality"),
 ]

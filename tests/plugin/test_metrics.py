@@ -94,6 +94,11 @@ def test_slope_penalty_and_curvature():
     ms = mesh_set(vertices, faces)
     ms.apply_filter(EXACT_FROM_POINT, vertex_index=0, metric="Slope penalty", slope_penalty=5)
     np.testing.assert_allclose(field(ms), 4 * exact_distances(vertices, faces, [0]), rtol=1e-6)
+    chosen = {"metric": "Slope penalty", "slope_penalty": 5, "vertex_index": 0}
+    assert ms.apply_filter(EXACT_FROM_POINT, steepest_grade=0.76, **chosen)["unreachable_vertices"] == 0
+    np.testing.assert_allclose(field(ms), 4 * exact_distances(vertices, faces, [0]), rtol=1e-6)
+    barred = ms.apply_filter(EXACT_FROM_POINT, steepest_grade=0.74, **chosen)
+    assert barred["unreachable_vertices"] == len(vertices) - 1
     angle = vertices[:, 0] * np.pi / 10
     tube = np.column_stack([3 * np.cos(angle), 3 * np.sin(angle), vertices[:, 1]])  # half a cylinder
     ms = mesh_set(tube, faces)

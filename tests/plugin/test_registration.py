@@ -8,7 +8,7 @@ from support import COMPARISON, FILTERS, METHOD_TABLE, grid, mesh_set
 
 IN_SPACE = (COMPARISON, METHOD_TABLE)  # MeshLab's own methods measure lengths in space
 GAPS = {"gap", "bridge_folds"}
-METRIC = {"metric", "slope_penalty", "curvature_weight"}
+METRIC = {"metric", "slope_penalty", "steepest_grade", "curvature_weight"}
 
 
 @pytest.mark.parametrize("name", FILTERS)

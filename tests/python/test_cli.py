@@ -213,7 +213,6 @@ def test_the_default_name_is_made_of_mesh_and_command(mesh, capsys):
         (["field", "plane.off", "--from", "0", "--metric", "no.npy"], 1, "--metric no.npy: there is no such file"),
         (["field", "plane.off", "--from", "0", "--metric", "text.off"], 1, "cannot be read"),
         (["field", "plane.off", "--from", "0", "--metric", "few.csv"], 1, "give a cost for each of the 143 vertices"),
-        (["field", "plane.off", "--from", "0", "--slope-penalty", "1", "--gap", "1"], 1, "leave out the gap or the"),
         (["field", "plane.off", "--from", "0", "--slope-penalty", "1", "--metric", "few.csv"], 2, "not allowed with"),
         (["guess", "plane.off"], 2, "invalid choice: 'guess'"),
         ([], 2, "no command given"),

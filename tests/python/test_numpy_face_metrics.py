@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 import vorogeo
 
-from sample_meshes import bent_grid, plane_grid
+from sample_meshes import bent_grid, plane_grid, prism, shared
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "bench"))
 import weighted_shapes
@@ -52,6 +53,42 @@ def test_index_against_formulas(shape):
         assert error.max() < 1e-2
     for path, length in zip(index.path(np.full(5, shape.source), chosen[-5:]), shape.exact[chosen[-5:]], strict=True):
         assert length * (1 - 1e-3) <= path.length <= length * (1 + 1e-3)
+
+
+def test_the_expected_error_is_near_the_real_one():
+    """Against eight times as many points: costs of two halves, costs and tensors without order, and winds."""
+    random, ratios = np.random.default_rng(8), []
+    for vertices, faces in (bent_grid(30, 22), prism(24, 20, 6.0), shared("spot")):
+        count, middle = len(faces), vertices[faces].mean(axis=1)[:, 0]
+        direction = random.normal(size=(count, 3))
+        direction /= np.linalg.norm(direction, axis=1, keepdims=True)
+        across = np.eye(3) - direction[:, :, None] * direction[:, None, :]
+        halves = np.where(middle > np.median(middle), 3.0, 1.0)
+        for metric in (
+            vorogeo.FaceCost(halves),
+            vorogeo.FaceCost(random.uniform(1, 5, count)),
+            vorogeo.FaceTensor(np.eye(3) + 3 * across, 6),
+            vorogeo.travel_time(vertices, faces, 0.5 * direction, points=6),
+        ):
+            coarse = vorogeo.Surface(vertices, faces, metric=metric)
+            found = coarse.distance_field(3, method="exact")
+            exact = vorogeo.exact_distance_field(vertices, faces, 3, metric=replace(metric, points=48))
+            others = exact > 0
+            ratios.append(coarse.last.expected_error / np.abs(found[others] / exact[others] - 1).mean())
+    assert 1 / 3 < np.median(ratios) < 3
+    assert np.min(ratios) > 0.1
+
+
+def test_what_is_expected_of_exact_fields_and_of_others(mosaic):
+    vertices, faces, metric, index = mosaic
+    index.distance_field(17)
+    assert np.isnan(index.last.expected_error)
+    surface = vorogeo.Surface(vertices, faces, metric=metric)
+    surface.distance_field(17, 0.5, method="exact")
+    assert 0 < surface.last.expected_error < 1e-3
+    even = vorogeo.Surface(vertices, faces, metric=vorogeo.FaceCost(np.full(len(faces), 2.0)))
+    even.distance_field(17, method="exact")
+    assert even.last.expected_error == 0
 
 
 def test_the_points_on_edges_are_checked():

@@ -163,6 +163,91 @@ def test_a_constant_drift_shifts_distances_over_t_junctions_too():
             assert along.path(source, target).length == pytest.approx(expected[target], rel=1e-4, abs=1e-9)
 
 
+def gradients(vertices, faces, height):
+    """Of a function that is linear over each face: a vector of its plane for each."""
+    a, b, c = (vertices[faces[:, i]] for i in range(3))
+    normal = np.cross(b - a, c - a)
+    rise = height[faces]
+    turned = rise[:, :1] * np.cross(normal, c - b) + rise[:, 1:2] * np.cross(normal, a - c)
+    return (turned + rise[:, 2:] * np.cross(normal, b - a)) / (normal * normal).sum(axis=1, keepdims=True)
+
+
+def test_a_drift_that_is_a_gradient_changes_no_path_and_stays_exact():
+    """By component: beside a mosaic of winds, which are no gradient, and with costs that jump."""
+    vertices, faces = bent_grid(18, 14)
+    height = 0.3 * np.sin(5 * vertices[:, 0]) * np.cos(4 * vertices[:, 1])
+    drift, count = gradients(vertices, faces, height), len(vertices)
+    scale = 0.9 / np.linalg.norm(drift, axis=1).max()
+    drift, height = scale * drift, scale * height
+    others, other_faces, mosaic_metric = mosaic(3)
+    both = np.vstack([vertices, others]), np.vstack([faces, other_faces + count])
+    metric = vorogeo.FaceRanders(
+        np.vstack([np.tile(IDENTITY, (len(faces), 1, 1)), mosaic_metric.tensors]),
+        np.vstack([drift, mosaic_metric.drift]),
+    )
+    surface, level = vorogeo.Surface(*both, metric=metric), vorogeo.Surface(vertices, faces)
+    alone = vorogeo.Surface(others, other_faces, metric=mosaic_metric)
+    sources, offsets = np.array([5, 130]), np.array([0.2, 0.0])
+    for way in (1, -1):
+        each = np.stack([level.distance_field(int(s)) + way * (height - height[s]) for s in sources])
+        sums = each + offsets[:, None]
+        field, label = surface.distance_field(
+            [*sources, count + 3], offsets=[*offsets, 0.0], return_labels=True, to=way < 0
+        )
+        np.testing.assert_allclose(field[:count], sums.min(axis=0), rtol=1e-11, atol=1e-12)
+        np.testing.assert_array_equal(label[:count], sums.argmin(axis=0))
+        np.testing.assert_allclose(field[count:], alone.distance_field(3, to=way < 0), rtol=1e-12)
+        limit = float(np.median(each[0]))
+        near = surface.distance_field(5, limit, to=way < 0)[:count]
+        np.testing.assert_allclose(near, np.where(each[0] <= limit, each[0], np.inf), rtol=1e-11, atol=1e-12)
+    inside = surface.snap((vertices[faces[40]].mean(axis=0), vertices[faces[200]].mean(axis=0)))
+    there = surface.path(inside[[0]], inside[[1]])
+    expected = level.distance(inside[[0]], inside[[1]]) + height[faces[200]].mean() - height[faces[40]].mean()
+    one = vorogeo.Surface(vertices, faces, metric=vorogeo.FaceRanders(np.tile(IDENTITY, (len(faces), 1, 1)), drift))
+    assert one.path(inside[[0]], inside[[1]]).certified
+    assert not there.certified  # as those of any surface with a component that jumps
+    assert there.length == pytest.approx(expected, rel=1e-11)
+    paths = surface.path(5, np.arange(1, 240, 2))  # from one propagation
+    expected = level.distance_field(5) + height - height[5]
+    np.testing.assert_allclose([path.length for path in paths], expected[1:240:2], rtol=1e-11)
+    for ask in (lambda: surface.distance_matrix([0, 5]), lambda: surface.log_map(5), lambda: surface.gradient(5)):
+        with pytest.raises(vorogeo.InvalidInput, match="take no metric by which a way back costs something else"):
+            ask()
+    cost = np.random.default_rng(5).uniform(1, 4, len(faces))
+    tensors = (cost**2)[:, None, None] * IDENTITY
+    jumping = vorogeo.Surface(vertices, faces, metric=vorogeo.FaceRanders(tensors, drift))
+    expected = vorogeo.Surface(vertices, faces, metric=vorogeo.FaceTensor(tensors)).distance_field(7)
+    np.testing.assert_allclose(jumping.distance_field(7), expected + height - height[7], rtol=1e-11, atol=1e-12)
+
+
+def test_a_drift_round_a_ring_is_no_gradient():
+    """It has none along any loop but those round the hole, so both ways between opposite points go with it."""
+    around, rings = 48, 6
+    angle = 2 * np.pi * np.arange(around) / around
+    radius = np.repeat(np.linspace(1, 2, rings), around)
+    vertices = np.column_stack([radius * np.tile(np.cos(angle), rings), radius * np.tile(np.sin(angle), rings)])
+    vertices = np.column_stack([vertices, np.zeros(len(vertices))])
+    low = np.arange(around * (rings - 1))
+    beside = low - low % around + (low + 1) % around
+    faces = np.vstack(
+        [np.column_stack([low, beside, beside + around]), np.column_stack([low, beside + around, low + around])]
+    )
+    turn = np.angle(np.exp(1j * (np.tile(angle, rings)[faces] - np.tile(angle, rings)[faces[:, :1]])))
+    a, b, c = (vertices[faces[:, i]] for i in range(3))
+    drift = np.stack(
+        [
+            np.r_[np.linalg.solve(np.stack([q - p, r - p])[:, :2], t[1:]), 0]
+            for p, q, r, t in zip(a, b, c, turn, strict=True)
+        ]
+    )
+    strength = 0.4
+    wind = vorogeo.FaceRanders(np.tile(IDENTITY, (len(faces), 1, 1)), strength * drift, points=20)
+    surface, level = vorogeo.Surface(vertices, faces, metric=wind), vorogeo.Surface(vertices, faces)
+    expected = level.distance(0, around // 2) - strength * np.pi
+    assert surface.distance(0, around // 2) == pytest.approx(expected, rel=1e-3)
+    assert surface.distance(around // 2, 0) == pytest.approx(expected, rel=1e-3)
+
+
 def test_needles_take_the_drift_along_them():
     vertices = np.array([[0, 0, 0], [1, 0, 0], [0.5, 1e-6, 0], [0.5, 1, 0]])
     faces = np.array([[0, 1, 2], [0, 2, 3], [2, 1, 3]])

@@ -69,7 +69,7 @@ TEST(Metric, RefusesWhatIsNoMetric) {
   EXPECT_EQ(
       cost({1, 0, 1}),
       "Vertex 1 has the cost 0; a cost is the length of a path for each unit of its length in space, above "
-      "0 and finite.");
+      "0; infinite where none may lead.");
   EXPECT_EQ(cost({1, 1}), "There are 2 costs, but the mesh has 3 vertices; give one for each.");
   const Tensor one{1, 0, 0, 0, 1, 0, 0, 0, 1};
   auto tensor = [&](const Tensor& g) {
