@@ -25,10 +25,6 @@ double longest_side(const Mesh& mesh) {
   return longest;
 }
 
-Index component_of(const Mesh& mesh, const SurfacePoint& point) {
-  return mesh.component(point.is_vertex() ? point.vertex : mesh.face_vertices(point.face)[0]);
-}
-
 }  // namespace
 
 PathsFromPoint::PathsFromPoint(const std::shared_ptr<const LocalGeometry>& geometry)

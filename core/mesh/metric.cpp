@@ -539,10 +539,6 @@ std::vector<Tensor> over_neighbours(const std::vector<Tensor>& of,
   return sum;
 }
 
-}  // namespace
-
-namespace {
-
 Point upwards_of(const Point& up) {
   const Point upwards = unit_of(up);
   if (dot(upwards, upwards) > 0.5) return upwards;

@@ -46,6 +46,11 @@ SurfacePoint point_on_edge(const Mesh& mesh, Index edge, double fraction);
 /// Distances of a point from the corners of its face, straight through the face. \pre It is not a vertex.
 std::array<double, 3> distances_in_face(const Mesh& mesh, const SurfacePoint& point);
 
+/// The component that a point lies in.
+inline Index component_of(const Mesh& mesh, const SurfacePoint& point) {
+  return mesh.component(point.is_vertex() ? point.vertex : mesh.face_vertices(point.face)[0]);
+}
+
 /// Position in space; NaN on a surface without positions.
 Point position_of(const Mesh& mesh, const SurfacePoint& point);
 

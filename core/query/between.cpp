@@ -51,8 +51,7 @@ bool ExactBetween::run(const SurfacePoint& from, const SurfacePoint& to, const P
   limits.face_allowed = bounds.mask;
   limits.least_remaining = bounds.rest;
   limits.landmarks = bounds.landmarks;
-  const bool jumps =
-      mesh.metric_jumps_in(mesh.component(to.is_vertex() ? to.vertex : mesh.face_vertices(to.face)[0]));
+  const bool jumps = mesh.metric_jumps_in(component_of(mesh, to));
   if (bounds.upper < unreachable || jumps) limits.corridor_point = &to;
   if (!for_path || jumps) {
     // A path needs the windows that come after its end, except where bounds are too weak to end a run.

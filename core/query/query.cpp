@@ -54,7 +54,7 @@ class Levelled {
     if (!mesh.has_potential()) return;
     highest_.assign(static_cast<std::size_t>(mesh.component_count()), -unreachable);
     for (const auto& [point, offset] : given) {
-      double& highest = highest_[component_of(point)];
+      double& highest = highest_[component_of(mesh, point)];
       highest = std::max(highest, potential_at(mesh, point));
     }
     shifted_.assign(given.begin(), given.end());
@@ -78,11 +78,8 @@ class Levelled {
   double max_distance;  ///< of what the solver finds
 
  private:
-  Index component_of(const SurfacePoint& point) const {
-    return mesh_.component(point.is_vertex() ? point.vertex : mesh_.face_vertices(point.face)[0]);
-  }
   double rise(const SurfacePoint& point) const {
-    return potential_at(mesh_, point) - highest_[component_of(point)];
+    return potential_at(mesh_, point) - highest_[component_of(mesh_, point)];
   }
 
   const Mesh& mesh_;

@@ -284,9 +284,7 @@ namespace {
 /// Given vertices of components without a source.
 Index count_unreached(const Mesh& mesh, std::span<const ExactSource> sources) {
   std::vector<std::uint8_t> has_source(static_cast<std::size_t>(mesh.component_count()), 0);
-  for (const auto& [point, offset] : sources) {
-    has_source[mesh.component(point.is_vertex() ? point.vertex : mesh.face_vertices(point.face)[0])] = 1;
-  }
+  for (const auto& [point, offset] : sources) has_source[component_of(mesh, point)] = 1;
   if (std::ranges::find(has_source, 0) == has_source.end()) return 0;
   Index count = 0;
   for (Index v = 0; v < mesh.given_vertex_count(); ++v) count += has_source[mesh.component(v)] == 0;

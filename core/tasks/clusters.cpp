@@ -26,8 +26,7 @@ void require_enough(const Mesh& mesh, Index count, const PointList& points, std:
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!(weights[i] > 0.0)) continue;
     ++weighted;
-    components.insert(
-        mesh.component(points[i].is_vertex() ? points[i].vertex : mesh.face_vertices(points[i].face)[0]));
+    components.insert(component_of(mesh, points[i]));
   }
   if (count < 1 || count > weighted) {
     throw InvalidInput("There are " + std::to_string(weighted) + " points to be divided into " +

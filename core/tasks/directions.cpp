@@ -20,9 +20,8 @@ constexpr std::size_t lines_at_once = 64;
 
 void require_agreeing_around(const LocalGeometry& geometry, const SurfacePoint& point) {
   const Mesh& mesh = *geometry.mesh;
-  const Index corner = point.is_vertex() ? point.vertex : mesh.face_vertices(point.face)[0];
   // A vertex without faces may be all that is left where the metric does not jump.
-  if (mesh.has_potential() || !geometry.windows || mesh.metric_jumps_in(mesh.component(corner)))
+  if (mesh.has_potential() || !geometry.windows || mesh.metric_jumps_in(component_of(mesh, point)))
     require_agreeing_faces(mesh, "Directions");
 }
 

@@ -255,9 +255,7 @@ class Descent {
 PointList joined_points(const Mesh& mesh, const PointList& given, std::span<const double> weights) {
   if (given.empty()) throw InvalidInput("There is no point; give at least one.");
   const PointList points = points_on(mesh, given, "Point");
-  const auto component = [&](std::size_t i) {
-    return mesh.component(points[i].is_vertex() ? points[i].vertex : mesh.face_vertices(points[i].face)[0]);
-  };
+  const auto component = [&](std::size_t i) { return component_of(mesh, points[i]); };
   std::size_t first = 0;
   while (!(weights[first] > 0.0)) ++first;
   for (std::size_t i = first + 1; i < points.size(); ++i) {

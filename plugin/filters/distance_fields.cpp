@@ -57,10 +57,7 @@ struct Reach {
 Reach reach_of(const Mesh& mesh, const std::vector<ExactSource>& sources,
                const std::vector<double>& distances) {
   std::vector<bool> has_source(static_cast<std::size_t>(mesh.component_count()), false);
-  for (const ExactSource& source : sources) {
-    const SurfacePoint& p = source.point;
-    has_source[mesh.component(p.is_vertex() ? p.vertex : mesh.face_vertices(p.face)[0])] = true;
-  }
+  for (const ExactSource& source : sources) has_source[component_of(mesh, source.point)] = true;
   Reach reach;
   for (Index v = 0; v < mesh.given_vertex_count(); ++v) {
     if (std::isfinite(distances[v])) {
