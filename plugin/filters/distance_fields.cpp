@@ -314,11 +314,8 @@ Results directions_from_point(FilterCall& call) {
   const int rings = number_of(call, "rings", 0, ". Give 0 or a positive number.");
   const bool per_wedge = call.parameters.getBool("per_wedge");
   const SnappedPoint start = start_point(call, *layer);
-  const auto ask = [&](Surface& surface, Answered& by, const Progress& progress) {
-    return log_map(surface, start.point, std::nullopt, radius > 0.0 ? radius : unreachable,
-                   TaskOptions{AnswerMethod::exact, progress, &by});
-  };
-  auto answer = ask_surface(call, *layer, "Geodesic directions", ask);
+  auto answer = ask_task_by(AnswerMethod::exact, call, *layer, "Geodesic directions", log_map, start.point,
+                            std::nullopt, radius > 0.0 ? radius : unreachable);
   const LogMap& map = answer.found;
   const Reach reach = reach_of(*mesh, {{start.point}}, map.distance);
   rest_if_large(*layer, answer.answered, reach.reached);

@@ -133,10 +133,9 @@ Results draw_path_through(FilterCall& call) {
   const auto layer = layer_of(call);
   const TaskPoints points = task_points(call, *layer, "that the path shall pass through");
   const bool closed = call.parameters.getBool("closed");
-  const auto ask = [&](Surface& surface, Answered& by, const Progress& progress) {
-    return path_through(surface, points.points, closed, TaskOptions{AnswerMethod::automatic, progress, &by});
-  };
-  auto [whole, answered, results] = ask_surface(call, *layer, "Shortest path through points", ask);
+  auto [whole, answered, results] =
+      ask_task_by(AnswerMethod::automatic, call, *layer, "Shortest path through points", path_through,
+                  points.points, closed);
   rest_if_large(*layer, answered, layer->mesh()->vertex_count());
   call.progress.report(1.0, "Shortest path through points");
   results.merge(add_path_layer(call, "Geodesic path", *layer->mesh(), whole));
@@ -150,10 +149,8 @@ Results draw_path_through(FilterCall& call) {
 Results draw_tight_curve(FilterCall& call) {
   const auto layer = layer_of(call);
   const TaskPoints curve = curve_in_order(call, *layer);
-  const auto ask = [&](Surface& surface, Answered& by, const Progress& progress) {
-    return tighten(surface, curve.points, TaskOptions{AnswerMethod::automatic, progress, &by});
-  };
-  auto [loop, answered, results] = ask_surface(call, *layer, "Pulling the curve tight", ask);
+  auto [loop, answered, results] =
+      ask_task_by(AnswerMethod::automatic, call, *layer, "Pulling the curve tight", tighten, curve.points);
   call.progress.report(1.0, "Pulling the curve tight");
   results.merge(add_path_layer(call, "Tight curve", *layer->mesh(), loop));
   results["seconds"] = answered.seconds;
@@ -164,10 +161,8 @@ Results draw_tight_curve(FilterCall& call) {
 Results draw_shortest_loop(FilterCall& call) {
   const auto layer = layer_of(call);
   const SnappedPoint start = start_point(call, *layer);
-  const auto ask = [&](Surface& surface, Answered& by, const Progress& progress) {
-    return shortest_loop(surface, start.point, {}, TaskOptions{AnswerMethod::exact, progress, &by});
-  };
-  auto [loop, answered, results] = ask_surface(call, *layer, "Shortest loop", ask);
+  auto [loop, answered, results] = ask_task_by(AnswerMethod::exact, call, *layer, "Shortest loop",
+                                               shortest_loop, start.point, PointList{});
   rest_if_large(*layer, answered, layer->mesh()->vertex_count());
   call.progress.report(1.0, "Shortest loop");
   results.merge(add_path_layer(call, "Shortest loop", *layer->mesh(), loop));
@@ -192,10 +187,8 @@ Results draw_girth(FilterCall& call) {
   const Point3m given = call.parameters.getPoint3m("normal");
   std::optional<Point> normal;
   if (given != Point3m(0, 0, 0)) normal = Point{double(given[0]), double(given[1]), double(given[2])};
-  const auto ask = [&](Surface& surface, Answered& by, const Progress& progress) {
-    return girth(surface, start.point, normal, TaskOptions{AnswerMethod::exact, progress, &by});
-  };
-  auto [limb, answered, results] = ask_surface(call, *layer, "Girth", ask);
+  auto [limb, answered, results] =
+      ask_task_by(AnswerMethod::exact, call, *layer, "Girth", girth, start.point, normal);
   call.progress.report(1.0, "Girth");
   // Section and tape are measured in space, whatever the metric.
   std::vector<Point> section;

@@ -237,12 +237,12 @@ Results cut_along_isolines(FilterCall& call) {
 Results cut_along_curve(FilterCall& call) {
   const auto layer = layer_of(call);
   const TaskPoints curve = curve_in_order(call, *layer);
-  const auto ask = [&](Surface& surface, Answered& by, const Progress& progress) {
-    const ExactPath path =
-        path_through(surface, curve.points, false, TaskOptions{AnswerMethod::automatic, progress, &by});
+  const auto cut_by = [&](Surface& surface, const TaskOptions& options) {
+    const ExactPath path = path_through(surface, curve.points, false, options);
     return cut_along(*surface.mesh(), {path.path.points});
   };
-  auto [cut, answered, results] = ask_surface(call, *layer, "Cutting along the curve", ask);
+  auto [cut, answered, results] =
+      ask_task_by(AnswerMethod::automatic, call, *layer, "Cutting along the curve", cut_by);
   rest_if_large(*layer, answered, layer->mesh()->vertex_count());
   call.progress.report(1.0, "Cutting along the curve");
   // Those that the curve does not touch are left out.
@@ -318,18 +318,22 @@ Results select_disk(FilterCall& call) {
   return results;
 }
 
+/// Logs and returns what lies `within`.
+Results about_band(const FilterCall& call, const std::string& within, const Band& found) {
+  std::ostringstream text;
+  text << "Within " << within << " lies an area of " << std::setprecision(7) << found.area
+       << " square mesh units; its border is " << logged_length(found.border_length) << " long";
+  call.log(text.str());
+  return {{"area", found.area}, {"border_length", found.border_length}};
+}
+
 Results measure_disk(FilterCall& call) {
   const auto layer = layer_of(call);
   const double radius = length_of(call, "radius", true);
   const TaskPoints sources = disk_sources(call, *layer);
   auto [disk, answered, results] =
       ask_task(call, *layer, "Area of a geodesic disk", band, sources.points, radius);
-  std::ostringstream text;
-  text << "Within " << logged_length(radius) << " lies an area of " << std::setprecision(7) << disk.area
-       << " square mesh units; its border is " << logged_length(disk.border_length) << " long";
-  call.log(text.str());
-  results["area"] = disk.area;
-  results["border_length"] = disk.border_length;
+  results.merge(about_band(call, logged_length(radius), disk));
   results["snap_distance"] = sources.snap_distance;
   return results;
 }
@@ -348,12 +352,7 @@ Results measure_band(FilterCall& call) {
   std::vector<SurfacePoint> points;
   for (const ExactSource& source : curve.sources) points.push_back(source.point);
   auto [found, answered, results] = ask_task(call, *layer, "Area of a band", band, PointList(points), width);
-  std::ostringstream text;
-  text << "Within " << logged_length(width) << " of the curve lies an area of " << std::setprecision(7)
-       << found.area << " square mesh units; its border is " << logged_length(found.border_length) << " long";
-  call.log(text.str());
-  results["area"] = found.area;
-  results["border_length"] = found.border_length;
+  results.merge(about_band(call, logged_length(width) + " of the curve", found));
   results["snap_distance"] = curve.snap_distance;
   return results;
 }
@@ -370,10 +369,8 @@ Results draw_polygon(FilterCall& call) {
   const auto mesh = layer->mesh();
   const TaskPoints corners = task_points(call, *layer, "that are the corners of the polygon");
   const bool cut_out = call.parameters.getBool("cut_out");
-  const auto ask = [&](Surface& surface, Answered& by, const Progress& progress) {
-    return geodesic_polygon(surface, corners.points, TaskOptions{AnswerMethod::automatic, progress, &by});
-  };
-  auto [polygon, answered, results] = ask_surface(call, *layer, "Polygon of shortest paths", ask);
+  auto [polygon, answered, results] = ask_task_by(
+      AnswerMethod::automatic, call, *layer, "Polygon of shortest paths", geodesic_polygon, corners.points);
   rest_if_large(*layer, answered, mesh->vertex_count());
   call.progress.report(1.0, "Polygon of shortest paths");
   SurfacePath border;
