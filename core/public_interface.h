@@ -31,6 +31,7 @@
 #include "tasks/path_through.h"
 #include "tasks/polygon.h"
 #include "tasks/profile.h"
+#include "tasks/region_areas.h"
 #include "tasks/set_distances.h"
 #include "tasks/spread_points.h"
 #include "tasks/surface_lines.h"
@@ -42,9 +43,11 @@ using vorogeo::band;
 using vorogeo::bezier;
 using vorogeo::Cancelled;
 using vorogeo::check_mesh;
+using vorogeo::convex_hull;
 using vorogeo::cut_along;
 using vorogeo::cut_at_levels;
 using vorogeo::CutMesh;
+using vorogeo::enclosed_area;
 using vorogeo::Error;
 using vorogeo::exp_map;
 using vorogeo::gradient;
@@ -55,10 +58,12 @@ using vorogeo::isolines;
 using vorogeo::log_map;
 using vorogeo::medoid;
 using vorogeo::NotEnoughMemory;
+using vorogeo::path_through;
 using vorogeo::PointList;
 using vorogeo::points_along;
 using vorogeo::profile;
 using vorogeo::Query;
+using vorogeo::region_areas;
 using vorogeo::set_distances;
 using vorogeo::slope_cost;
 using vorogeo::spline;
@@ -66,6 +71,7 @@ using vorogeo::Surface;
 using vorogeo::SurfacePoint;
 using vorogeo::tangent_frames;
 using vorogeo::TaskOptions;
+using vorogeo::tighten;
 using vorogeo::to_string;
 using vorogeo::transport;
 }  // namespace inner
@@ -88,6 +94,10 @@ struct Surface::State {
   std::shared_ptr<inner::Surface> current() {
     const std::lock_guard lock(mutex);
     return surface;
+  }
+  const SurfaceLocator& located() {
+    std::call_once(locator_made, [&] { locator = std::make_unique<SurfaceLocator>(mesh); });
+    return *locator;
   }
   void adopt(std::shared_ptr<const GeodesicIndex> index) {
     const std::lock_guard lock(mutex);

@@ -221,9 +221,7 @@ std::vector<Path> Surface::paths(const PointList& from, const PointList& to,
 
 SnappedPoint Surface::nearest(const Point& position) const {
   return translated([&] {
-    State& state = *state_;
-    std::call_once(state.locator_made, [&] { state.locator = std::make_unique<SurfaceLocator>(state.mesh); });
-    const auto found = state.locator->nearest(position);
+    const auto found = state_->located().nearest(position);
     return SnappedPoint{point_out(*state_->mesh, found.point), found.distance};
   });
 }
@@ -438,18 +436,18 @@ NearestOfSet nearest(const Surface& surface, const PointList& set, const PointLi
   });
 }
 
-Path path_through(const Surface& surface, const PointList& points, bool closed, const TaskOptions& options) {
+Path path_through(const Surface& surface, const PointList& points, bool closed, bool guides,
+                  const TaskOptions& options) {
   return ask(surface, options, [&](Asked& at) {
     at.options.answered = &at.answered;
-    return path_out(at.mesh, path_through(at.surface, at.in(points), closed, at.options), at.answered);
+    const auto found =
+        (guides ? inner::tighten : inner::path_through)(at.surface, at.in(points), closed, at.options);
+    return path_out(at.mesh, found, at.answered);
   });
 }
 
 Path tighten(const Surface& surface, const PointList& curve, const TaskOptions& options) {
-  return ask(surface, options, [&](Asked& at) {
-    at.options.answered = &at.answered;
-    return path_out(at.mesh, tighten(at.surface, at.in(curve), at.options), at.answered);
-  });
+  return path_through(surface, curve, true, true, options);
 }
 
 Path shortest_loop(const Surface& surface, const SurfacePoint& point, const PointList& curve,
@@ -487,8 +485,10 @@ Girth girth(const Surface& surface, const SurfacePoint& point, const TaskOptions
 Profile profile(const Surface& surface, const Path& path, const Point& up) {
   return translated([&] {
     const Mesh& mesh = *surface.state().mesh;
-    auto found = inner::profile(mesh, points_in(mesh, path.surface_points), up);
-    return Profile{std::move(found.along), std::move(found.height), std::move(found.angle)};
+    const auto locate = [&]() -> const SurfaceLocator& { return surface.state().located(); };
+    auto found = inner::profile(mesh, locate, points_in(mesh, path.surface_points), up);
+    return Profile{std::move(found.along), std::move(found.height), std::move(found.angle),
+                   std::move(found.curvature), std::move(found.thickness)};
   });
 }
 
@@ -570,32 +570,73 @@ CutMesh cut_out(const Mesh& mesh, inner::CutMesh found) {
 }  // namespace
 
 CutMesh cut_at_levels(const Surface& surface, const std::vector<double>& field,
-                      const std::vector<double>& levels) {
-  return translated([&] {
-    const Mesh& mesh = *surface.state().mesh;
-    return cut_out(mesh, inner::cut_at_levels(mesh, field, levels, Interpolation::distance));
+                      const std::vector<double>& levels, const TaskOptions& options) {
+  return ask(surface, options, [&](const Asked& at) {
+    return cut_out(
+        at.mesh, inner::cut_at_levels(at.mesh, field, levels, Interpolation::distance, at.options.progress));
   });
 }
 
-CutMesh cut_along(const Surface& surface, const std::vector<std::vector<SurfacePoint>>& lines) {
-  return translated([&] {
-    const Mesh& mesh = *surface.state().mesh;
+CutMesh cut_along(const Surface& surface, const std::vector<std::vector<SurfacePoint>>& lines,
+                  const TaskOptions& options) {
+  return ask(surface, options, [&](const Asked& at) {
     std::vector<std::vector<inner::SurfacePoint>> inside;
     for (const auto& line : lines) {
       inside.emplace_back();
-      for (const SurfacePoint& point : line) inside.back().push_back(point_in(mesh, point));
+      for (const SurfacePoint& point : line) inside.back().push_back(at.in(point));
     }
-    return cut_out(mesh, inner::cut_along(mesh, inside));
+    return cut_out(at.mesh, inner::cut_along(at.mesh, inside, at.options.progress));
   });
 }
 
+namespace {
+
+Polygon polygon_out(const Mesh& mesh, GeodesicPolygon found) {
+  Polygon out{found.area,
+              found.perimeter,
+              std::move(found.corners),
+              std::move(found.angles),
+              found.curvature,
+              found.gauss_bonnet,
+              std::move(found.vertices),
+              std::move(found.faces),
+              {}};
+  for (const auto& leg : found.legs) out.legs.push_back(points_out(mesh, leg.path.points));
+  return out;
+}
+
+}  // namespace
+
 Polygon polygon(const Surface& surface, const PointList& points, const TaskOptions& options) {
   return ask(surface, options, [&](const Asked& at) {
-    auto found = geodesic_polygon(at.surface, at.in(points), at.options);
-    Polygon out{found.area,         found.perimeter,           std::move(found.angles), found.curvature,
-                found.gauss_bonnet, std::move(found.vertices), std::move(found.faces),  {}};
-    for (const auto& leg : found.legs) out.legs.push_back(points_out(at.mesh, leg.path.points));
+    return polygon_out(at.mesh, geodesic_polygon(at.surface, at.in(points), at.options));
+  });
+}
+
+Polygon convex_hull(const Surface& surface, const PointList& points, const TaskOptions& options) {
+  return ask(surface, options, [&](const Asked& at) {
+    return polygon_out(at.mesh, inner::convex_hull(at.surface, at.in(points), at.options));
+  });
+}
+
+std::vector<RegionArea> region_areas(const Surface& surface, const std::vector<int>& label,
+                                     const TaskOptions& options) {
+  return ask(surface, options, [&](const Asked& at) {
+    require_count(label.size(), static_cast<std::size_t>(surface.face_count()), "label", "faces");
+    const int last = label.empty() ? -1 : std::ranges::max(label);
+    std::vector<RegionArea> out;
+    for (const auto& [area, border_length, volume] :
+         inner::region_areas(at.mesh, label, static_cast<std::size_t>(std::max(last, -1) + 1), at.options)) {
+      out.push_back({area, border_length, volume});
+    }
     return out;
+  });
+}
+
+RegionArea enclosed_area(const Surface& surface, const PointList& curve, const TaskOptions& options) {
+  return ask(surface, options, [&](const Asked& at) {
+    const auto found = inner::enclosed_area(at.mesh, at.in(curve), at.options);
+    return RegionArea{found.area, found.border_length, found.volume};
   });
 }
 

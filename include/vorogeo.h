@@ -384,10 +384,11 @@ VOROGEO_API NearestOfSet nearest(const Surface& surface, const PointList& set, c
                                  std::size_t count, const TaskOptions& options = {});
 
 /// The shortest path through points in this order, each leg exact; `closed`: and back to the first. Where all
-/// legs are certified, so is the path. \throw InvalidInput for fewer than two points, or two that no path
-/// joins.
+/// legs are certified, so is the path. `guides`: the points between its ends are guides only, and it is the
+/// locally shortest path to which the one through them is pulled; closed as tighten(). \throw InvalidInput
+/// for fewer than two points, or two that no path joins.
 VOROGEO_API Path path_through(const Surface& surface, const PointList& points, bool closed = false,
-                              const TaskOptions& options = {});
+                              bool guides = false, const TaskOptions& options = {});
 
 /// The points at fractions of the length of a path. \throw InvalidInput for a fraction outside [0, 1], or
 /// consecutive points that share no face.
@@ -406,7 +407,8 @@ VOROGEO_API Path spline(const Surface& surface, const PointList& points, bool cl
 
 /// The closed geodesic that a closed curve through these points is pulled to, without crossing a border: the
 /// shortest near it, which need not be the shortest of all that go round like it. Points that share no face
-/// are joined by shortest paths. \throw InvalidInput for a curve that slips off, naming where.
+/// are joined by shortest paths. `remark` says if it was still becoming shorter after some thousand rounds.
+/// \throw InvalidInput for a curve that slips off, naming where.
 VOROGEO_API Path tighten(const Surface& surface, const PointList& curve, const TaskOptions& options = {});
 /// The shortest loop through a point that cannot be contracted to it; with a curve, a shortest one near it
 /// that goes round like the curve. \throw InvalidInput where every loop contracts.
@@ -432,6 +434,10 @@ struct Profile {
   std::vector<double> along;   ///< length of the path up to the point
   std::vector<double> height;  ///< of the point in the direction `up`
   std::vector<double> angle;   ///< of the surface's normal with `up`, in radians
+  /// Of the surface in the direction of the path: 1/r around a sphere with normals outwards. From normals
+  /// interpolated between those of the vertices, over the steps beside the point.
+  std::vector<double> curvature;
+  std::vector<double> thickness;  ///< from the point against the normal to the next face; `unreachable`: none
 };
 VOROGEO_API Profile profile(const Surface& surface, const Path& path, const Point& up = {0.0, 0.0, 1.0});
 
@@ -524,32 +530,55 @@ struct CutMesh {
   std::vector<int> face_of;               ///< by face, the one of the surface that it is a part of
   std::vector<int> region;                ///< by face; see the functions
   std::vector<std::array<int, 2>> edges;  ///< along the lines, in their direction
-  std::vector<int> side;  ///< by face: 1 to the left of a line, -1 to the right, 0 beside none or both
+  /// By face: 1 to the left of a line, as most faces are turned, -1 to its right, 0 beside none or both.
+  std::vector<int> side;
 };
 /// Along isolines of a field at the vertices, which have greater values to their left. Region: how many
 /// different levels are at most the values there; -1 where these are not finite.
 VOROGEO_API CutMesh cut_at_levels(const Surface& surface, const std::vector<double>& field,
-                                  const std::vector<double>& levels);
+                                  const std::vector<double>& levels, const TaskOptions& options = {});
 /// Along lines whose consecutive points share a face, such as the `surface_points` of paths. Region: the
 /// connected part, numbered from 0. \throw InvalidInput for points that share no face.
-VOROGEO_API CutMesh cut_along(const Surface& surface, const std::vector<std::vector<SurfacePoint>>& lines);
+VOROGEO_API CutMesh cut_along(const Surface& surface, const std::vector<std::vector<SurfacePoint>>& lines,
+                              const TaskOptions& options = {});
+
+/// What a region measures.
+struct RegionArea {
+  double area = 0.0;
+  double border_length = 0.0;  ///< where faces are inside on one side only; borders of the surface count
+  double volume = 0.0;         ///< that it encloses in space, if it has no border; otherwise NaN
+};
+/// Of the faces with each label from 0 on; others are of no region.
+VOROGEO_API std::vector<RegionArea> region_areas(const Surface& surface,
+                                                 const std::vector<int>& label_of_face,
+                                                 const TaskOptions& options = {});
+/// Of the side of a closed curve, such as a loop, that has no border of the surface, else of the smaller one.
+/// Consecutive points share a face. \throw InvalidInput for a curve that is not closed, crosses itself, or
+/// has one and the same side.
+VOROGEO_API RegionArea enclosed_area(const Surface& surface, const PointList& curve,
+                                     const TaskOptions& options = {});
 
 /// A polygon of shortest paths.
 struct Polygon {
   double area = 0.0;  ///< of the inside: the side without border of the surface, else the smaller
   double perimeter = 0.0;
-  std::vector<double> angles;  ///< of the inside at each point, in radians
+  std::vector<int> corners;    ///< positions of its points in the list: of a hull those that span it
+  std::vector<double> angles;  ///< of the inside at each corner, in radians
   double curvature = 0.0;      ///< sum of the angle defects of the vertices inside
   /// 2 pi times the Euler characteristic of the inside, minus its curvature and the turning of its border at
   /// points and vertices: 0 but for rounding (Gauss-Bonnet), where the metric does not jump.
   double gauss_bonnet = 0.0;
   std::vector<int> vertices;                    ///< inside, not on the border
   std::vector<int> faces;                       ///< all of which are inside
-  std::vector<std::vector<SurfacePoint>> legs;  ///< from each point to the next; cut_along() takes them
+  std::vector<std::vector<SurfacePoint>> legs;  ///< from each corner to the next; cut_along() takes them
 };
 /// From each point to the next by the shortest path, and back to the first. \throw InvalidInput for legs that
 /// cross or touch, or that do not separate an inside from an outside.
 VOROGEO_API Polygon polygon(const Surface& surface, const PointList& points, const TaskOptions& options = {});
+/// The polygon of some of the points that has the others inside and no angle above pi. \throw InvalidInput
+/// where they do not lie in a part like a disk in which any two have one shortest path.
+VOROGEO_API Polygon convex_hull(const Surface& surface, const PointList& points,
+                                const TaskOptions& options = {});
 
 /// How far two sets of points are from each other.
 struct SetDistances {

@@ -1,14 +1,19 @@
 """Girths along a body, as a tape measure and the surface have them, a path through landmarks and its profile.
 
-Usage: python samples/measuring.py [MESH]      (needs samples/setup.sh once; writes samples/out/measuring.png and .csv)
+Usage: python samples/measuring.py [MESH]      (needs samples/setup.sh once; writes samples/out/measuring.png, its
+profile as measuring.csv and measuring-profile.png)
 """
 
 from pathlib import Path
 
+import matplotlib
 import mesh_input
 import numpy as np
 import picture
 import vorogeo
+
+matplotlib.use("agg")
+import matplotlib.pyplot as plt
 
 STATIONS = 9
 
@@ -19,10 +24,17 @@ surface = vorogeo.Surface(vertices, faces)
 out = Path(__file__).parent / "out"
 out.mkdir(exist_ok=True)
 
-# Along the shortest path between the two vertices that are farthest apart: height and slope as a table.
+# Along the shortest path between the two vertices that are farthest apart: what lies there as a table and as a plot.
 spine = surface.path(*surface.extent().ends)
 profile = surface.profile(spine, up=[0, 1, 0])
-np.savetxt(out / "measuring.csv", np.column_stack(profile), delimiter=",", header="length,height,angle", comments="")
+columns = ",".join(profile._fields)
+np.savetxt(out / "measuring.csv", np.column_stack(profile), delimiter=",", header=columns, comments="")
+figure, rows = plt.subplots(4, sharex=True, figsize=(8, 8))
+for row, name in zip(rows, profile._fields[1:], strict=True):
+    row.plot(profile.length, getattr(profile, name))
+    row.set_ylabel(name)
+rows[-1].set_xlabel("length along the path")
+figure.savefig(out / "measuring-profile.png")
 print(f"from end to end {spine.length:.4g}, heights from {profile.height.min():.4g} to {profile.height.max():.4g}")
 
 # Round the body at places along it. Each plane is the one of the shortest section there.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <sstream>
 #include <string>
@@ -209,6 +210,50 @@ SnappedPoint SurfaceLocator::nearest(const Point& given) const {
   }
   for (double& weight : best.barycentric) weight /= sum;
   return {validated(*mesh_, best), length_of(minus(position_of(*mesh_, best), given))};
+}
+
+double SurfaceLocator::ray_length(const SurfacePoint& from, const Point& direction) const {
+  constexpr double rounding = 1e-9;  // of weights, and of the sides of the faces that the ray leaves
+  const Point origin = position_of(*mesh_, from);
+  std::vector<Index> own;
+  double least = 0.0;
+  for_each_face_at(*mesh_, from, [&](Index face, const std::array<double, 3>&) {
+    own.push_back(face);
+    for (const Index v : mesh_->face_vertices(face)) {
+      least = std::max(least, rounding * distance_between(mesh_->position(v), origin));
+    }
+  });
+  // Boxes of faces along the axes have no thickness; NaN: the ray passes beside it.
+  const double slack = 1e-12 * length_of(minus(tree_.bounds().high, tree_.bounds().low));
+  const auto entry = [&](const Box& box) {
+    double first = 0.0, last = unreachable;
+    for (int k = 0; k < 3; ++k) {
+      const double low = box.low[k] - slack - origin[k], high = box.high[k] + slack - origin[k];
+      if (direction[k] == 0.0 && (low > 0.0 || high < 0.0)) last = -1.0;
+      if (direction[k] == 0.0) continue;
+      const auto [enters, leaves] = std::minmax({low / direction[k], high / direction[k]});
+      first = std::max(first, enters);
+      last = std::min(last, leaves);
+    }
+    return first <= last ? first : std::numeric_limits<double>::quiet_NaN();
+  };
+  double nearest = unreachable;
+  const auto look_at = [&](Index face) {
+    const auto& [a, b, c] = mesh_->face_vertices(face);
+    const Point ab = minus(mesh_->position(b), mesh_->position(a));
+    const Point ac = minus(mesh_->position(c), mesh_->position(a));
+    const Point normal = cross(ab, ac), ao = minus(origin, mesh_->position(a));
+    const double falls = -dot(direction, normal);
+    if (std::abs(falls) <= 1e-14 * length_of(normal)) return nearest;
+    const Point turned = cross(ao, direction);
+    const double at = dot(ao, normal) / falls, second = dot(ac, turned) / falls,
+                 third = -dot(ab, turned) / falls;
+    const bool is_hit = second >= -rounding && third >= -rounding && second + third <= 1.0 + rounding;
+    if (is_hit && at > least && at < nearest && std::ranges::find(own, face) == own.end()) nearest = at;
+    return nearest;
+  };
+  tree_.search(unreachable, entry, look_at);
+  return nearest;
 }
 
 }  // namespace vorogeo

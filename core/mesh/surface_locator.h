@@ -1,4 +1,4 @@
-// The nearest points of the surface to points in space, by a tree of boxes.
+// The nearest points of the surface to points in space, and where rays meet it, by a tree of boxes.
 #pragma once
 
 #include <algorithm>
@@ -132,6 +132,9 @@ class SurfaceLocator {
   /// only be named by vertex or face numbers. \throw InvalidInput for a coordinate that is not finite or
   /// above 1e307; names the point. Complexity: O(log m) for points near the surface.
   SnappedPoint nearest(const Point& point) const;
+  /// How far a ray from a point of the surface, in a direction of length 1, runs to the first face that does
+  /// not hold the point; `unreachable` if it meets none. Complexity: O(log m) for most rays.
+  double ray_length(const SurfacePoint& from, const Point& direction) const;
   std::size_t memory_bytes() const { return tree_.memory_bytes(); }
 
  private:

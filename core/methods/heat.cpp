@@ -8,6 +8,7 @@
 #include <tuple>
 #include <vector>
 
+#include "mesh/orientation.h"
 #include "mesh/vectors.h"
 #include "methods/method.h"
 #include "support/error.h"
@@ -69,40 +70,18 @@ double IntrinsicMesh::cotangent(const Face& face, int i) {
 IntrinsicMesh::IntrinsicMesh(const Mesh& mesh) {
   faces.resize(mesh.face_count());
   // Faces turned over so that neighbours run along their common edge in opposite directions.
-  std::vector<std::uint8_t> turned(mesh.face_count(), 0);
-  std::vector<std::uint8_t> visited(mesh.face_count(), 0);
-  std::vector<Index> stack;
-  const auto other_side = [&](Index h) {
-    const Index g = mesh.next_around_edge(h);
-    return g != h && mesh.next_around_edge(g) == h ? g : no_index;
-  };
-  for (Index first = 0; first < mesh.face_count(); ++first) {
-    if (visited[first] != 0) continue;
-    visited[first] = 1;
-    stack.push_back(first);
-    while (!stack.empty()) {
-      const Index f = stack.back();
-      stack.pop_back();
-      for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-        const Index g = other_side(h);
-        if (g == no_index || visited[Mesh::face_of(g)] != 0) continue;
-        visited[Mesh::face_of(g)] = 1;
-        turned[Mesh::face_of(g)] = turned[f] ^ std::uint8_t(mesh.tail(g) == mesh.tail(h) ? 1 : 0);
-        stack.push_back(Mesh::face_of(g));
-      }
-    }
-  }
+  const std::vector<bool> turned = turned_faces(mesh);
   // Edge i of a turned face is the edge 2 - i of the face as it was.
   const auto place = [&](Index h) {
     const Index f = Mesh::face_of(h);
-    return turned[f] != 0 ? 3 * f + 2 - h % 3 : h;
+    return turned[f] ? 3 * f + 2 - h % 3 : h;
   };
   for (Index h = 0; h < 3 * mesh.face_count(); ++h) {
     const Index f = Mesh::face_of(h);
     const Index own = place(h);
-    faces[f].vertex[own % 3] = turned[f] != 0 ? mesh.head(h) : mesh.tail(h);
+    faces[f].vertex[own % 3] = turned[f] ? mesh.head(h) : mesh.tail(h);
     faces[f].length[own % 3] = mesh.edge_length(mesh.edge_of(h));
-    const Index g = other_side(h);
+    const Index g = other_side(mesh, h);
     const bool opposite =
         g != no_index && ((mesh.tail(g) == mesh.tail(h)) == (turned[f] != turned[Mesh::face_of(g)]));
     faces[f].across[own % 3] = opposite ? place(g) : no_index;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "mesh/mesh_input.h"
+#include "mesh/orientation.h"
 #include "support/disjoint_sets.h"
 #include "support/error.h"
 #include "tasks/face_division.h"
@@ -27,7 +28,7 @@ constexpr double same_place = 1e-10;
 /// Collects the points and the pieces of lines by face, and divides the faces.
 class MeshCutter {
  public:
-  explicit MeshCutter(const Mesh& mesh) : mesh_(mesh) {
+  explicit MeshCutter(const Mesh& mesh) : mesh_(mesh), turned_(turned_faces(mesh)) {
     for (Index v = 0; v < mesh.vertex_count(); ++v) result_.points.push_back(SurfacePoint::at_vertex(v));
   }
 
@@ -37,11 +38,9 @@ class MeshCutter {
     if (!(fraction > same_place)) return a;
     if (fraction >= 1.0 - same_place) return b;
     auto& points = on_edge_[edge];
-    for (const auto& [at, point] : points) {
-      if (std::abs(at - fraction) <= same_place) return point;
-    }
-    points.emplace_back(fraction, add(point_on_edge(mesh_, edge, fraction)));
-    return points.back().second;
+    const auto near = points.lower_bound(fraction - same_place);
+    if (near != points.end() && near->first <= fraction + same_place) return near->second;
+    return points.emplace_hint(near, fraction, add(point_on_edge(mesh_, edge, fraction)))->second;
   }
 
   Index at(const SurfacePoint& given) {
@@ -55,17 +54,19 @@ class MeshCutter {
       return on_edge(edge, mesh_.edge_vertices(edge)[0] == mesh_.tail(h) ? along : 1.0 - along);
     }
     auto& points = in_face_[given.face];
-    for (const Index point : points) {
-      const CutWeights& other = result_.points[point].barycentric;
+    const auto begin = points.lower_bound(weights[0] - same_place);
+    for (auto near = begin; near != points.end() && near->first <= weights[0] + same_place; ++near) {
+      const CutWeights& other = result_.points[near->second].barycentric;
       if (std::abs(weights[0] - other[0]) + std::abs(weights[1] - other[1]) +
               std::abs(weights[2] - other[2]) <=
           same_place) {
-        return point;
+        return near->second;
       }
     }
-    points.push_back(add(given));
-    return points.back();
+    return points.emplace(weights[0], add(given))->second;
   }
+  /// Whether a face is turned against most others.
+  bool is_turned(Index face) const { return turned_[face]; }
 
   /// A straight piece of a line in a face, between points that it holds.
   void add_piece(Index face, Index from, Index to) {
@@ -77,8 +78,7 @@ class MeshCutter {
 
   /// Divides the faces. Regions are left to the caller.
   CutMesh divided() {
-    for (auto& [edge, points] : on_edge_) {
-      std::ranges::sort(points);
+    for (const auto& [edge, points] : on_edge_) {
       const Index first = mesh_.edge_halfedge(edge);
       Index h = first;
       do {
@@ -87,7 +87,7 @@ class MeshCutter {
       } while (h != first);
     }
     auto next = pieces_.begin();
-    for (Index f = 0; f < mesh_.first_bridge(); ++f) {
+    for (const Index f : checked(mesh_.first_bridge())) {
       if (next == pieces_.end() || next->first != f) {
         result_.faces.push_back(mesh_.face_vertices(f));
         result_.face_of.push_back(f);
@@ -132,20 +132,24 @@ class MeshCutter {
       const auto found = on_edge_.find(mesh_.edge_of(h));
       if (found == on_edge_.end()) continue;
       const bool along = mesh_.edge_vertices(found->first)[0] == mesh_.tail(h);
-      const auto& points = found->second;
-      for (std::size_t k = 0; k < points.size(); ++k) {
-        const auto& [fraction, point] = points[along ? k : points.size() - 1 - k];
+      const auto first = static_cast<std::ptrdiff_t>(outline.size());
+      for (const auto& [fraction, point] : found->second) {
         weights[(i + 1) % 3] = along ? fraction : 1.0 - fraction;
         weights[i] = 1.0 - weights[(i + 1) % 3];
         outline.emplace_back(point, weights);
       }
+      if (!along) std::ranges::reverse(outline.begin() + first, outline.end());
     }
     FaceDivision division(
         outline, [&](const CutWeights& weights) { return add(SurfacePoint::in_face(face, weights)); });
     if (const auto inside = in_face_.find(face); inside != in_face_.end()) {
-      for (const Index point : inside->second) division.add_point(point, result_.points[point].barycentric);
+      for (const auto& [weight, point] : inside->second) {
+        checkpoint();
+        division.add_point(point, result_.points[point].barycentric);
+      }
     }
     for (const Piece& piece : pieces) {
+      checkpoint();
       if (division.add_line(piece.from, piece.to).back() == piece.to) continue;
       throw Error("The line could not be drawn through face " + std::to_string(mesh_.input_face(face)) +
                   ": its points lie nearer to each other than weights are rounded.");
@@ -163,30 +167,33 @@ class MeshCutter {
   void mark_sides() {
     std::set<std::pair<Index, Index>> along;
     for (const auto& [a, b] : result_.edges) along.emplace(a, b);
-    for (const auto& face : result_.faces) {
+    for (const std::size_t f : checked(result_.faces.size())) {
+      const std::array<Index, 3>& face = result_.faces[f];
       bool left = false;
       bool right = false;
       for (int i = 0; i < 3; ++i) {
         left = left || along.contains({face[i], face[(i + 1) % 3]});
         right = right || along.contains({face[(i + 1) % 3], face[i]});
       }
+      if (is_turned(result_.face_of[f])) std::swap(left, right);
       result_.side.push_back(static_cast<Index>(left) - static_cast<Index>(right));
     }
   }
 
   const Mesh& mesh_;
+  const std::vector<bool> turned_;
   CutMesh result_;
-  std::unordered_map<Index, std::vector<std::pair<double, Index>>> on_edge_;
-  std::unordered_map<Index, std::vector<Index>> in_face_;
-  std::map<Index, std::vector<Piece>> pieces_;  ///< by face
-  std::vector<std::vector<Index>> passed_;      ///< by piece, the points on it
+  std::unordered_map<Index, std::map<double, Index>> on_edge_;       ///< by the fraction of the edge
+  std::unordered_map<Index, std::multimap<double, Index>> in_face_;  ///< by the weight of the first corner
+  std::map<Index, std::vector<Piece>> pieces_;                       ///< by face
+  std::vector<std::vector<Index>> passed_;                           ///< by piece, the points on it
 };
 
 /// Connected parts of faces, over all edges but those of the cut.
 std::vector<Index> parts_between(const CutMesh& cut) {
-  std::set<std::pair<Index, Index>> closed;
-  for (const auto& [a, b] : cut.edges) closed.insert(std::minmax(a, b));
-  const std::vector<FaceSide> sides = sorted_sides(cut);
+  std::set<std::array<Index, 2>> closed;
+  for (const auto& [a, b] : cut.edges) closed.insert(edge_of(a, b));
+  const std::vector<SideOfFace>& sides = cut.sides;
   DisjointSets sets(static_cast<Index>(cut.faces.size()));
   for (std::size_t k = 0; k + 1 < sides.size(); ++k) {
     if (sides[k].ends == sides[k + 1].ends && !closed.contains(sides[k].ends)) {
@@ -195,7 +202,7 @@ std::vector<Index> parts_between(const CutMesh& cut) {
   }
   std::map<Index, Index> number;
   std::vector<Index> region;
-  for (Index f = 0; f < static_cast<Index>(cut.faces.size()); ++f) {
+  for (const Index f : checked(static_cast<Index>(cut.faces.size()))) {
     region.push_back(number.try_emplace(sets.root(f), static_cast<Index>(number.size())).first->second);
   }
   return region;
@@ -203,20 +210,8 @@ std::vector<Index> parts_between(const CutMesh& cut) {
 
 }  // namespace
 
-std::vector<FaceSide> sorted_sides(const CutMesh& cut) {
-  std::vector<FaceSide> sides;
-  sides.reserve(3 * cut.faces.size());
-  for (std::size_t f = 0; f < cut.faces.size(); ++f) {
-    for (int i = 0; i < 3; ++i) {
-      sides.push_back({std::minmax(cut.faces[f][i], cut.faces[f][(i + 1) % 3]), static_cast<Index>(f)});
-    }
-  }
-  std::ranges::sort(sides, {}, &FaceSide::ends);
-  return sides;
-}
-
 CutMesh cut_at_levels(const Mesh& mesh, std::span<const double> given, std::span<const double> given_levels,
-                      Interpolation interpolation) {
+                      Interpolation interpolation, const Progress& progress) {
   require_field_and_levels(mesh, given, given_levels);
   const std::vector<double> values = InputMap(mesh).on_vertices(given);
   std::vector<double> levels(given_levels.begin(), given_levels.end());
@@ -227,11 +222,12 @@ CutMesh cut_at_levels(const Mesh& mesh, std::span<const double> given, std::span
   for (const double value : values) {
     below.push_back(static_cast<Index>(std::ranges::upper_bound(levels, value) - levels.begin()));
   }
+  const Watch watch(progress, "Cut");
   MeshCutter cutter(mesh);
   const auto is_finite = [&](Index face) {
     return std::ranges::all_of(mesh.face_vertices(face), [&](Index v) { return std::isfinite(values[v]); });
   };
-  for (Index f = 0; f < mesh.first_bridge(); ++f) {
+  for (const Index f : checked(mesh.first_bridge())) {
     if (!is_finite(f)) continue;
     const auto& corners = mesh.face_vertices(f);
     const auto [low, high] = std::minmax({values[corners[0]], values[corners[1]], values[corners[2]]});
@@ -240,7 +236,7 @@ CutMesh cut_at_levels(const Mesh& mesh, std::span<const double> given, std::span
       std::array<Index, 2> end{no_index, no_index};  // greater values lie to the left
       for_each_crossing(mesh, values, f, *next, interpolation, [&](Index edge, double t, bool falls) {
         const Index point = cutter.on_edge(edge, t);
-        end[falls ? 0 : 1] = point;
+        end[falls != cutter.is_turned(f) ? 0 : 1] = point;
         if (static_cast<std::size_t>(point) == below.size()) below.push_back(0);
         below[point] = std::max(below[point], number + 1);
       });
@@ -258,7 +254,9 @@ CutMesh cut_at_levels(const Mesh& mesh, std::span<const double> given, std::span
   return cut;
 }
 
-CutMesh cut_along(const Mesh& mesh, const std::vector<std::vector<SurfacePoint>>& lines) {
+CutMesh cut_along(const Mesh& mesh, const std::vector<std::vector<SurfacePoint>>& lines,
+                  const Progress& progress) {
+  const Watch watch(progress, "Cut");
   MeshCutter cutter(mesh);
   std::vector<std::size_t> end;
   for (std::size_t k = 0; k < lines.size(); ++k) {
@@ -291,6 +289,7 @@ CutMesh cut_along(const Mesh& mesh, const std::vector<std::vector<SurfacePoint>>
       cut.lines[k].insert(cut.lines[k].end(), passed.begin() + (cut.lines[k].empty() ? 0 : 1), passed.end());
     }
   }
+  cut.sides = sorted_sides(cut.faces);
   cut.region = parts_between(cut);
   return cut;
 }

@@ -4,14 +4,18 @@
 
 #include <array>
 #include <span>
-#include <utility>
 #include <vector>
 
+#include "mesh/gaps.h"
 #include "mesh/mesh.h"
 #include "mesh/surface_point.h"
+#include "support/progress.h"
 #include "tasks/surface_lines.h"
 
 namespace vorogeo {
+
+/// An edge by its ends, as sides of faces have them.
+inline std::array<Index, 2> edge_of(Index a, Index b) { return a < b ? std::array{a, b} : std::array{b, a}; }
 
 /// The mesh after a cut. Parts of neighbouring faces share the points of the lines, so it is as watertight as
 /// it was.
@@ -24,27 +28,22 @@ struct CutMesh {
   /// Along the lines, in their direction; each once.
   std::vector<std::array<Index, 2>> edges;
   std::vector<std::vector<Index>> lines;  ///< by line given, the points that it passes
-  std::vector<Index> side;  ///< by face, as it is turned: 1 left of a line, -1 right, 0 beside none or both
+  std::vector<SideOfFace> sides;          ///< of all faces, sorted; of cuts along lines only
+  /// By face: 1 to the left of a line, as most faces are turned, -1 to its right, 0 beside none or both.
+  std::vector<Index> side;
 };
-
-/// A side of a face by its ends, the smaller first.
-struct FaceSide {
-  std::pair<Index, Index> ends;
-  Index face;
-};
-/// All sides of all faces, those with the same ends one after another.
-std::vector<FaceSide> sorted_sides(const CutMesh& cut);
 
 /// Along the lines on which a field has one of the levels (isolines), which have greater values to their
 /// left. The region of a face is the number of different levels that are at most its values; no_index where
-/// these are not finite. \throw InvalidInput as isolines().
+/// these are not finite. \throw InvalidInput as isolines(); Cancelled.
 CutMesh cut_at_levels(const Mesh& mesh, std::span<const double> values, std::span<const double> levels,
-                      Interpolation interpolation);
+                      Interpolation interpolation, const Progress& progress = {});
 
 /// Along lines of points, straight from each to the next in a face that both share, such as paths. The region
 /// of a face is its connected part after the cut, numbered in the order of the faces. Lines may cross and
 /// touch. \throw InvalidInput for a point that is not on the mesh, and where two share no face or only one
-/// over a gap.
-CutMesh cut_along(const Mesh& mesh, const std::vector<std::vector<SurfacePoint>>& lines);
+/// over a gap; Cancelled.
+CutMesh cut_along(const Mesh& mesh, const std::vector<std::vector<SurfacePoint>>& lines,
+                  const Progress& progress = {});
 
 }  // namespace vorogeo

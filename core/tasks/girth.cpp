@@ -211,11 +211,11 @@ Girth girth(Surface& surface, const SurfacePoint& given, const std::optional<Poi
   for (std::size_t i = 0; i < found.tape.size(); ++i) {
     found.tape_length += distance_between(found.tape[i], found.tape[(i + 1) % found.tape.size()]);
   }
-  found.loop = tightened(*surface.geometry()->windows, found.section.points);
+  TightLoop loop = tightened(*surface.geometry()->windows, found.section.points);
+  found.loop = std::move(loop.path);
   report_exact(options, stopwatch);
-  if (options.answered != nullptr && found.loop.points.size() == 1) {
-    options.answered->remark = "The loop slips off: pulled tight, it contracts to a point, at " +
-                               name_of(mesh, found.loop.points[0]) + "; section and tape are as they are.";
+  if (options.answered != nullptr && !loop.remark.empty()) {
+    options.answered->remark = "The loop " + loop.remark + "; section and tape are as they are.";
   }
   return found;
 }

@@ -1,4 +1,4 @@
-// Closed curves pulled tight, and shortest loops through a point.
+// Curves pulled tight, and shortest loops through a point.
 #include "tasks/loops.h"
 
 #include <algorithm>
@@ -68,8 +68,6 @@ SurfacePath pulled(const Mesh& mesh, PathRefiner& refiner, const std::vector<Sur
 /// Shortening by less than this (relative) is rounding; so many rounds without more end it.
 constexpr double least_loop_gain = 1e-13;
 constexpr int rounds_without_gain = 3;
-/// Rounds, at most. Each shortens the loop; in a slight neck of a smooth surface by little.
-constexpr int max_loop_rounds = 5000;
 
 /// Begins a closed line at another point: the vertex, or else the point, that is nearest to half-way along.
 void begin_half_way(const Mesh& mesh, std::vector<SurfacePoint>& line) {
@@ -115,23 +113,30 @@ std::optional<SurfacePoint> contracts_to(const Mesh& mesh, const SurfacePath& lo
   return std::nullopt;
 }
 
+std::string slip_at(const Mesh& mesh, const SurfacePoint& point) {
+  return "slips off: pulled tight, it contracts to a point, at " + name_of(mesh, point);
+}
+
 }  // namespace
 
-SurfacePath tightened(const ExactGeometry& geometry, std::vector<SurfacePoint> curve) {
+TightLoop tightened(const ExactGeometry& geometry, std::vector<SurfacePoint> curve, int max_rounds) {
   const Mesh& mesh = *geometry.mesh;
   PathRefiner refiner(geometry);
-  SurfacePath loop{std::move(curve), unreachable};
+  const double length = measured_length(mesh, curve).length;
+  SurfacePath loop{std::move(curve), length};
   int without_gain = 0;
-  for (int round = 0; round < max_loop_rounds && without_gain < rounds_without_gain; ++round) {
+  for (int round = 0; round < max_rounds && without_gain < rounds_without_gain; ++round) {
     checkpoint();
-    if (const auto point = contracts_to(mesh, loop)) return {{*point}, 0.0};
+    if (const auto point = contracts_to(mesh, loop)) return {{{*point}, 0.0}, slip_at(mesh, *point)};
     std::vector<SurfacePoint> line = loop.points;
     begin_half_way(mesh, line);
     SurfacePath next = pulled(mesh, refiner, line, false);
     without_gain = next.length < loop.length * (1.0 - least_loop_gain) ? 0 : without_gain + 1;
     loop = std::move(next);
   }
-  return loop;
+  if (without_gain == rounds_without_gain) return {std::move(loop), ""};
+  return {std::move(loop),
+          "was still becoming shorter after " + std::to_string(max_rounds) + " rounds: tighten it again"};
 }
 
 namespace {
@@ -139,11 +144,12 @@ namespace {
 /// What answers about closed lines, and how long it takes.
 class LoopTask {
  public:
-  LoopTask(Surface& surface, const TaskOptions& options)
+  LoopTask(Surface& surface, const TaskOptions& options, bool closed = true)
       : mesh(*surface.mesh()), surface_(surface), options_(options), watch_(options.progress, "Loop") {
-    require_agreeing_faces(mesh, "Loops");
+    const std::string what = closed ? "loops" : "paths by guides";
+    require_agreeing_faces(mesh, closed ? "Loops" : "Paths by guides");
     if (options.by == AnswerMethod::quick) {
-      throw InvalidInput("The quick method has no loops; choose automatic, index or exact.");
+      throw InvalidInput("The quick method has no " + what + "; choose automatic, index or exact.");
     }
   }
 
@@ -152,15 +158,15 @@ class LoopTask {
     Answered answered;
     return surface_.path(from, to, options_.by, {.exact = true, .certify = false}, answered).path;
   }
-  /// A polyline through points, back to the first.
-  std::vector<SurfacePoint> closed_line(const PointList& given) {
+  /// A polyline through points; `closed`: back to the first.
+  std::vector<SurfacePoint> line_through(const PointList& given, bool closed = true) {
     if (given.size() < 2) {
       throw InvalidInput("The curve has " + std::to_string(given.size()) +
                          " points; give at least two, in order.");
     }
     const PointList points = points_on(mesh, given, "Point");
     std::vector<SurfacePoint> line{points[0]};
-    for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t i = 0; i + (closed ? 0 : 1) < points.size(); ++i) {
       const std::size_t next = (i + 1) % points.size();
       if (points[i] == points[next]) continue;
       if (common_face(mesh, points[i], points[next]) != no_index) {
@@ -174,8 +180,10 @@ class LoopTask {
     return line;
   }
   /// A loop is not proven to be shortest.
-  ExactPath answer(SurfacePath path) const {
+  ExactPath answer(SurfacePath path, const std::string& remark = {}) const {
     report_exact(options_, stopwatch_);
+    if (options_.answered != nullptr && !remark.empty())
+      options_.answered->remark = "The loop " + remark + ".";
     return {std::move(path), false};
   }
 
@@ -189,18 +197,24 @@ class LoopTask {
 };
 
 [[noreturn]] void refuse_slip(const Mesh& mesh, const SurfacePoint& point) {
-  throw InvalidInput("The curve slips off: pulled tight, it contracts to a point, at " +
-                     name_of(mesh, point) +
+  throw InvalidInput("The curve " + slip_at(mesh, point) +
                      ". Give one that goes round a handle, a border, or a limb behind a neck.");
 }
 
 }  // namespace
 
-ExactPath tighten(Surface& surface, const PointList& curve, const TaskOptions& options) {
-  LoopTask task(surface, options);
-  SurfacePath loop = tightened(task.geometry(), task.closed_line(curve));
-  if (loop.points.size() == 1) refuse_slip(task.mesh, loop.points[0]);
-  return task.answer(std::move(loop));
+ExactPath tighten(Surface& surface, const PointList& curve, bool closed, const TaskOptions& options) {
+  LoopTask task(surface, options, closed);
+  std::vector<SurfacePoint> line = task.line_through(curve, closed);
+  if (closed) {
+    TightLoop loop = tightened(task.geometry(), std::move(line));
+    if (loop.path.points.size() == 1) refuse_slip(task.mesh, loop.path.points[0]);
+    return task.answer(std::move(loop.path), loop.remark);
+  }
+  PathRefiner refiner(task.geometry());
+  SurfacePath path = pulled(task.mesh, refiner, line, false);
+  if (!(path.length > 0.0)) path.points.resize(1);
+  return task.answer(std::move(path));
 }
 
 // ---- Loops through a point
@@ -430,7 +444,7 @@ ExactPath shortest_loop(Surface& surface, const SurfacePoint& given, const Point
   LoopTask task(surface, options);
   const SurfacePoint point = canonical(task.mesh, validated(task.mesh, given));
   SurfacePath loop = curve.empty() ? shortest_of_classes(surface, task, point)
-                                   : loop_like(surface, task, point, task.closed_line(curve));
+                                   : loop_like(surface, task, point, task.line_through(curve));
   if (loop.points.empty()) {
     throw InvalidInput("Every loop through " + name_of(task.mesh, point) +
                        " contracts to it, as its component has no handle and at most one border; give a "

@@ -1,6 +1,7 @@
-// Closed curves pulled tight, and shortest loops through a point.
+// Curves pulled tight, and shortest loops through a point.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "query/path_refine.h"
@@ -9,19 +10,31 @@
 
 namespace vorogeo {
 
+/// Rounds of pulling a loop tight, at most. In a slight neck of a smooth surface, each shortens it by little.
+inline constexpr int max_loop_rounds = 5000;
+
+/// A closed curve pulled tight.
+struct TightLoop {
+  SurfacePath path;    ///< one point, of length 0, if nothing holds the curve: where it slips off
+  std::string remark;  ///< that it slips off, or that it was still becoming shorter; empty if neither
+};
+
 /// Pulls a closed curve tight until it is a closed geodesic: straight when its faces are laid out flat, and
 /// at vertices with at least pi on both sides. It moves over the surface continuously, so it stays in its
 /// homotopy class, but not across borders. `curve` ends where it begins, and consecutive points share a face.
 /// From one of its points, the curve is pulled tight as an open line; then from one half-way along, and so on
-/// (Birkhoff), until it becomes no shorter. \return one point, of length 0, if nothing holds the curve: where
-/// it slips off. \throw Cancelled at a checkpoint. Complexity: O(faces crossed) for each round; some tens of
-/// rounds where it bends at vertices, more in slight necks of smooth surfaces.
-SurfacePath tightened(const ExactGeometry& geometry, std::vector<SurfacePoint> curve);
+/// (Birkhoff), until it becomes no shorter. \throw Cancelled at a checkpoint. Complexity: O(faces crossed)
+/// for each round; some tens of rounds where it bends at vertices, more in slight necks of smooth surfaces.
+TightLoop tightened(const ExactGeometry& geometry, std::vector<SurfacePoint> curve,
+                    int max_rounds = max_loop_rounds);
 
-/// The closed geodesic that a closed curve through these points is pulled to; see tightened(). Points that
-/// share no face are joined by shortest paths, the last with the first. \throw InvalidInput for fewer than
-/// two points, two that no path joins, a curve that slips off (names where), or a metric that jumps.
-ExactPath tighten(Surface& surface, const PointList& curve, const TaskOptions& options = {});
+/// The closed geodesic that a closed curve through these points is pulled to; see tightened(). If it is not
+/// `closed`, the locally shortest path to which the curve is pulled with its ends held. Points that share no
+/// face are joined by shortest paths, of a closed curve the last with the first. What answered has the
+/// loop's remark. \throw InvalidInput for fewer than two points, two that no path joins, a closed curve that
+/// slips off (names where), or a metric that jumps.
+ExactPath tighten(Surface& surface, const PointList& curve, bool closed = true,
+                  const TaskOptions& options = {});
 
 /// The shortest loop through a point that cannot be contracted to it: across the edges of the cut locus of
 /// the point that remain when all of its ends are pruned back, one loop for each class of them (Erickson,

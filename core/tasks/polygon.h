@@ -1,4 +1,5 @@
-// Polygons whose sides are shortest paths: their area, perimeter and angles, and what lies inside.
+// Polygons whose sides are shortest paths: their area, perimeter and angles, what lies inside, and convex
+// hulls.
 #pragma once
 
 #include <vector>
@@ -11,7 +12,8 @@ namespace vorogeo {
 struct GeodesicPolygon {
   double area = 0.0;       ///< of the inside: the side without border of the surface, else the smaller one
   double perimeter = 0.0;  ///< of all legs
-  std::vector<double> angles;  ///< by point, of the inside, in radians
+  std::vector<Index> corners;  ///< positions of its points in the list: all, of a hull those that span it
+  std::vector<double> angles;  ///< by corner, of the inside, in radians
   /// Sum of the angle defects of the vertices inside. The angles sum to (n - 2) pi and this, where the inside
   /// is a disk and no leg turns at a vertex.
   double curvature = 0.0;
@@ -32,5 +34,15 @@ struct GeodesicPolygon {
 /// touch elsewhere, and legs that have one and the same side, as around a handle or a tube; Cancelled.
 /// Complexity: the exact paths, and O(n log n) for the mesh.
 GeodesicPolygon geodesic_polygon(Surface& surface, const PointList& points, const TaskOptions& options = {});
+
+/// The shortest closed curve around points: the polygon of some of them that has all others inside and no
+/// angle above pi, as a plane's convex hull. Gift wrapping (Jarvis 1973): from each corner to the next by the
+/// path that has the others to its left. As geodesic_polygon(), where any two of the points have one shortest
+/// path in a part like a disk; it is then the least part that has with two of its points the path between
+/// them. 	hrow InvalidInput for fewer than three different points, points on one line or on two
+/// components, a metric that jumps, and where that fails: paths that cross or have no inside, an angle above
+/// pi, a point outside (names it), a hole or a handle inside; Cancelled. Complexity: an exact field as far as
+/// the points for each corner, and a polygon.
+GeodesicPolygon convex_hull(Surface& surface, const PointList& points, const TaskOptions& options = {});
 
 }  // namespace vorogeo

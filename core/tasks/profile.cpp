@@ -1,4 +1,4 @@
-// What lies along a path: its length so far, height, and the slope of the surface.
+// What lies along a path: its length so far, height, slope, curvature and thickness.
 #include "tasks/profile.h"
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <string>
 
 #include "exact/surface_path.h"
+#include "mesh/orientation.h"
 #include "mesh/vectors.h"
 #include "support/error.h"
 #include "tasks/path_through.h"
@@ -49,7 +50,8 @@ Point normal_at(const Mesh& mesh, const SurfacePoint& point) {
   return length > 0.0 ? moved({}, 1.0 / length, sum) : Point{};
 }
 
-Profile profile(const Mesh& mesh, const PointList& path, const Point& up) {
+Profile profile(const Mesh& mesh, const std::function<const SurfaceLocator&()>& locate, const PointList& path,
+                const Point& up) {
   if (!mesh.has_positions())
     throw InvalidInput("A profile needs the positions of the vertices, not lengths alone.");
   const double size = length_of(up);
@@ -58,14 +60,49 @@ Profile profile(const Mesh& mesh, const PointList& path, const Point& up) {
                        "; give one that is finite and not 0.");
   }
   const PointList points = points_on(mesh, path, "Point");
+  const SurfaceLocator& locator = locate();
+  const std::vector<bool> turned = turned_faces(mesh);
+  const auto outwards = [&](const SurfacePoint& point) {
+    Index first = no_index;
+    for_each_face_at(mesh, point, [&](Index face, const std::array<double, 3>&) {
+      if (first == no_index && !mesh.is_bridge(face)) first = face;
+    });
+    return moved({}, first != no_index && turned[first] ? -1.0 : 1.0, normal_at(mesh, point));
+  };
+  /// The normals of a face's corners, with the weights of a point.
+  const auto between_corners = [&](Index face, const SurfacePoint& point) {
+    std::array<double, 3> weights{};
+    weights_in_face(mesh, point, face, weights);
+    Point sum{};
+    for (int k = 0; k < 3; ++k) {
+      if (weights[k] == 0.0) continue;
+      sum = moved(sum, weights[k], outwards(SurfacePoint::at_vertex(mesh.face_vertices(face)[k])));
+    }
+    return sum;
+  };
   Profile found;
+  std::vector<double> length{0.0}, tilt{0.0};  // of the step to each point
   for (std::size_t i = 0; i < points.size(); ++i) {
     double step = 0.0;
     if (i > 0) step = measured_length(mesh, std::array{points[i - 1], points[i]}).length;
     if (!std::isfinite(step)) refuse_step(mesh, points, i);
     found.along.push_back(i > 0 ? found.along.back() + step : 0.0);
     found.height.push_back(dot(position_of(mesh, points[i]), up) / size);
-    found.angle.push_back(std::acos(std::clamp(dot(normal_at(mesh, points[i]), up) / size, -1.0, 1.0)));
+    const Point normal = outwards(points[i]);
+    found.angle.push_back(std::acos(std::clamp(dot(normal, up) / size, -1.0, 1.0)));
+    found.thickness.push_back(locator.ray_length(points[i], moved({}, -1.0, normal)));
+    if (i == 0) continue;
+    const Index face = common_face(mesh, points[i - 1], points[i]);
+    const Point forwards = minus(position_of(mesh, points[i]), position_of(mesh, points[i - 1]));
+    const Point change = minus(between_corners(face, points[i]), between_corners(face, points[i - 1]));
+    length.push_back(length_of(forwards));
+    tilt.push_back(length.back() > 0.0 ? dot(change, forwards) / length.back() : 0.0);
+  }
+  length.push_back(0.0);
+  tilt.push_back(0.0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double both = length[i] + length[i + 1];
+    found.curvature.push_back(both > 0.0 ? (tilt[i] + tilt[i + 1]) / both : 0.0);
   }
   return found;
 }

@@ -28,6 +28,11 @@ struct HeldMesh {
   std::shared_ptr<const Mesh> mesh;
   std::size_t input_faces;  ///< rows of the faces that were given
   std::shared_ptr<Locator> locator = std::make_shared<Locator>();
+
+  const SurfaceLocator& located() const {
+    std::call_once(locator->once, [&] { locator->made.emplace(mesh); });
+    return *locator->made;
+  }
 };
 
 /// The class _core.Surface; several objects may hold one surface.

@@ -85,10 +85,8 @@ auto snap(const HeldMesh& self, const VertexArray& points) {
   std::vector<double> distances;
   {
     nb::gil_scoped_release release;
-    HeldMesh::Locator& locator = *self.locator;
-    std::call_once(locator.once, [&] { locator.made.emplace(self.mesh); });
     for (const Point& point : rows_of<3>(points)) {
-      const SnappedPoint found = locator.made->nearest(point);
+      const SnappedPoint found = self.located().nearest(point);
       distances.push_back(found.distance);
       columns.add(*self.mesh, found.point);
     }

@@ -23,6 +23,7 @@
 #include "tasks/path_through.h"
 #include "tasks/polygon.h"
 #include "tasks/profile.h"
+#include "tasks/region_areas.h"
 #include "tasks/set_distances.h"
 #include "tasks/spread_points.h"
 #include "tasks/surface_lines.h"
@@ -84,9 +85,9 @@ auto through(const TaskOptions& options, const HeldSurface& held, const PointArr
   return arrays.take();
 }
 
-auto tight(const TaskOptions& options, const HeldSurface& held, const PointArrays& curve) {
+auto tight(const TaskOptions& options, const HeldSurface& held, const PointArrays& curve, bool closed) {
   PathArrays arrays;
-  arrays.add(held.mesh(), tighten(*held.surface, held.points(curve), options));
+  arrays.add(held.mesh(), tighten(*held.surface, held.points(curve), closed, options));
   return arrays.take();
 }
 
@@ -113,8 +114,10 @@ auto girth_at(const TaskOptions& options, const HeldSurface& held, const PointAr
 
 auto profile_of(const TaskOptions&, const HeldSurface& held, const PointArrays& path, double x, double y,
                 double z) {
-  auto found = profile(held.mesh(), held.points(path), {x, y, z});
-  return std::tuple(std::move(found.along), std::move(found.height), std::move(found.angle));
+  const auto locate = [&]() -> const SurfaceLocator& { return held.held_mesh.located(); };
+  auto found = profile(held.mesh(), locate, held.points(path), {x, y, z});
+  return std::tuple(std::move(found.along), std::move(found.height), std::move(found.angle),
+                    std::move(found.curvature), std::move(found.thickness));
 }
 
 // ---- Regions, samplings, lines and measures
@@ -173,7 +176,7 @@ auto area_within(const TaskOptions& options, const HeldSurface& held, const Poin
 
 /// Positions, faces, the points of the new vertices, then by face the one given, the region and the side;
 /// edges.
-nb::tuple cut_out(const HeldSurface& held, CutMesh&& cut) {
+auto cut_out(const HeldSurface& held, CutMesh&& cut) {
   const Mesh& mesh = held.mesh();
   std::vector<Point> positions;
   for (const SurfacePoint& point : cut.points) positions.push_back(position_of(mesh, point));
@@ -182,46 +185,66 @@ nb::tuple cut_out(const HeldSurface& held, CutMesh&& cut) {
     added.add(mesh, cut.points[i]);
   }
   for (Index& face : cut.face_of) face = mesh.input_face(face);
-  return nb::make_tuple(to_numpy(std::move(positions)), to_numpy(std::move(cut.faces)),
-                        to_python(std::move(added)), to_numpy(std::move(cut.face_of)),
-                        to_numpy(std::move(cut.region)), to_numpy(std::move(cut.edges)),
-                        to_numpy(std::move(cut.side)));
+  return std::tuple(std::move(positions), std::move(cut.faces), std::move(added), std::move(cut.face_of),
+                    std::move(cut.region), std::move(cut.edges), std::move(cut.side));
 }
 
-nb::tuple cut_at_levels_of(const HeldSurface& held, const ValueArray& field, const ValueArray& levels,
-                           int interpolation) {
-  CutMesh found;
-  {
-    nb::gil_scoped_release release;
-    found = cut_at_levels(held.mesh(), values_of(field), values_of(levels),
-                          static_cast<Interpolation>(interpolation));
-  }
-  return cut_out(held, std::move(found));
+auto cut_at_levels_of(const TaskOptions& options, const HeldSurface& held, const ValueArray& field,
+                      const ValueArray& levels, int interpolation) {
+  return cut_out(held, cut_at_levels(held.mesh(), values_of(field), values_of(levels),
+                                     static_cast<Interpolation>(interpolation), options.progress));
 }
 
 /// `begin`: where each line begins in the list of points, and where the last one ends.
-nb::tuple cut_along_lines(const HeldSurface& held, const PointArrays& points, const IdArray& begin) {
-  CutMesh found;
-  {
-    nb::gil_scoped_release release;
-    const PointList all = held.points(points);
-    std::vector<std::vector<SurfacePoint>> lines;
-    for (std::size_t k = 0; k + 1 < begin.shape(0); ++k) {
-      lines.emplace_back(all.begin() + begin(k), all.begin() + begin(k + 1));
-    }
-    found = cut_along(held.mesh(), lines);
+auto cut_along_lines(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
+                     const IdArray& begin) {
+  const PointList all = held.points(points);
+  std::vector<std::vector<SurfacePoint>> lines;
+  for (std::size_t k = 0; k + 1 < begin.shape(0); ++k) {
+    lines.emplace_back(all.begin() + begin(k), all.begin() + begin(k + 1));
   }
-  return cut_out(held, std::move(found));
+  return cut_out(held, cut_along(held.mesh(), lines, options.progress));
 }
 
-/// Area, perimeter, angles, curvature, what Gauss-Bonnet leaves, vertices, faces; then the legs as paths.
-auto polygon(const TaskOptions& options, const HeldSurface& held, const PointArrays& points) {
-  auto found = geodesic_polygon(*held.surface, held.points(points), options);
+/// Area, perimeter, corners, angles, curvature, what Gauss-Bonnet leaves, vertices, faces; then the legs as
+/// paths.
+auto polygon_arrays(const HeldSurface& held, GeodesicPolygon found) {
   PathArrays legs;
   for (const ExactPath& leg : found.legs) legs.add(held.mesh(), leg);
-  return std::tuple_cat(std::tuple(found.area, found.perimeter, std::move(found.angles), found.curvature,
-                                   found.gauss_bonnet, std::move(found.vertices), std::move(found.faces)),
-                        legs.take());
+  return std::tuple_cat(
+      std::tuple(found.area, found.perimeter, std::move(found.corners), std::move(found.angles),
+                 found.curvature, found.gauss_bonnet, std::move(found.vertices), std::move(found.faces)),
+      legs.take());
+}
+
+auto polygon(const TaskOptions& options, const HeldSurface& held, const PointArrays& points) {
+  return polygon_arrays(held, geodesic_polygon(*held.surface, held.points(points), options));
+}
+
+auto hull(const TaskOptions& options, const HeldSurface& held, const PointArrays& points) {
+  return polygon_arrays(held, convex_hull(*held.surface, held.points(points), options));
+}
+
+/// Columns: areas, lengths of borders, volumes.
+auto columns_of_areas(const std::vector<RegionArea>& found) {
+  std::vector<double> area, border_length, volume;
+  for (const RegionArea& region : found) {
+    area.push_back(region.area);
+    border_length.push_back(region.border_length);
+    volume.push_back(region.volume);
+  }
+  return std::tuple(std::move(area), std::move(border_length), std::move(volume));
+}
+
+/// `label`: by row of the faces given.
+auto areas_of_regions(const TaskOptions& options, const HeldSurface& held, const IdArray& label,
+                      std::size_t regions) {
+  return columns_of_areas(
+      region_areas(held.mesh(), std::span(label.data(), label.shape(0)), regions, options));
+}
+
+auto area_inside(const TaskOptions& options, const HeldSurface& held, const PointArrays& curve) {
+  return columns_of_areas({enclosed_area(held.mesh(), held.points(curve), options)});
 }
 
 auto distances_of_sets(const TaskOptions& options, const HeldSurface& held, const PointArrays& first,
@@ -372,9 +395,12 @@ void bind_tasks(nb::class_<HeldSurface>& surface) {
   bind_question(surface, "sample_poisson_disk", &poisson_disk);
   bind_question(surface, "disk", &disk);
   bind_question(surface, "band", &area_within);
-  surface.def("cut_at_levels", &cut_at_levels_of);
-  surface.def("cut_along", &cut_along_lines);
+  bind_question(surface, "cut_at_levels", &cut_at_levels_of);
+  bind_question(surface, "cut_along", &cut_along_lines);
+  bind_question(surface, "region_areas", &areas_of_regions);
+  bind_question(surface, "enclosed_area", &area_inside);
   bind_question(surface, "polygon", &polygon);
+  bind_question(surface, "convex_hull", &hull);
   bind_question(surface, "set_distances", &distances_of_sets);
   bind_question(surface, "eccentricity", &eccentricity);
   bind_question(surface, "extent", &extent);

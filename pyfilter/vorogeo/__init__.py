@@ -63,6 +63,7 @@ from .results import Isolines as Isolines
 from .results import MeshArrays as MeshArrays
 from .results import Polylines as Polylines
 from .results import Profile as Profile
+from .results import RegionArea as RegionArea
 from .results import RelaxedPoints as RelaxedPoints
 from .results import SetDistances as SetDistances
 from .results import SparseDistances as SparseDistances

@@ -101,6 +101,16 @@ class Band:
 
 @documented
 @dataclass(frozen=True)
+class RegionArea:
+    """What a region measures."""
+
+    area: float = doc("In the unit of the metric.")
+    border_length: float = doc("Where faces are inside on one side only; borders of the surface count.")
+    volume: float = doc("That it encloses in space, if it has no border; otherwise NaN. Cavities do not count.")
+
+
+@documented
+@dataclass(frozen=True)
 class CutMesh:
     """A mesh cut along lines: parts of neighbouring faces share the points of the lines."""
 
@@ -115,7 +125,9 @@ class CutMesh:
     input_faces: NDArray[np.int32] = doc("Shape (j,). The face of the surface that each is a part of.")
     region: NDArray[np.int32] = doc("Shape (j,). See `Surface.cut`.")
     edges: NDArray[np.int32] = doc("Shape (q, 2). Along the lines, in their direction; greater values to the left.")
-    side: NDArray[np.int32] = doc("Shape (j,). 1 to the left of a line, -1 to the right, 0 beside none or both.")
+    side: NDArray[np.int32] = doc(
+        "Shape (j,). 1 to the left of a line, as most faces are turned, -1 to the right, 0 beside none or both."
+    )
 
     def part(self, region: int) -> tuple[NDArray[np.float64], NDArray[np.int32], NDArray[np.int32]]:
         """The vertices and faces of a region, and which vertices of the cut mesh they are."""
@@ -298,6 +310,15 @@ class Profile(NamedTuple):
         NDArray[np.float64],
         "Shape (p,). Of the normal with `up`, in radians: 0 on level ground turned upwards, pi if downwards.",
     ]
+    curvature: Annotated[
+        NDArray[np.float64],
+        "Shape (p,). Of the surface in the direction of the path: 1 / r round a sphere whose normals lead outwards, "
+        "below 0 in hollows.",
+    ]
+    thickness: Annotated[
+        NDArray[np.float64],
+        "Shape (p,). From the point against the normal to the next face; infinity if there is none.",
+    ]
 
 
 @documented
@@ -307,7 +328,8 @@ class GeodesicPolygon:
 
     area: float = doc("Of the inside.")
     perimeter: float = doc("Sum of the lengths of all legs.")
-    angles: NDArray[np.float64] = doc("Shape (k,). Of the inside at each point, in radians.")
+    corners: NDArray[np.int32] = doc("Shape (k,). Positions of its points in the list: of a hull those that span it.")
+    angles: NDArray[np.float64] = doc("Shape (k,). Of the inside at each corner, in radians.")
     curvature: float = doc(
         "Sum of the angle defects of the vertices inside. The angles sum to (k - 2) pi and this, where the inside is a "
         "disk and no leg turns at a vertex."
@@ -318,7 +340,9 @@ class GeodesicPolygon:
     )
     vertices: NDArray[np.int32] = doc("Shape (p,). Inside, not on the border; ascending.")
     faces: NDArray[np.int32] = doc("Shape (j,). All of which are inside; ascending.")
-    legs: list[GeodesicPath] = doc("k paths: from each point to the next, the last one to the first. `cut` takes them.")
+    legs: list[GeodesicPath] = doc(
+        "k paths: from each corner to the next, the last one to the first. `cut` takes them."
+    )
 
 
 @documented

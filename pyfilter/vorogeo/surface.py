@@ -10,19 +10,19 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _arguments as check
 from . import points as point_lists
-from .errors import InvalidInput
 from .means import Means
+from .measuring import Measuring
 from .mesh_input import MeshInput
 from .metrics import Metric
-from .points import Points, Sources, SurfacePoints, surface_points
+from .points import Points, Sources
 from .progress import ProgressFunction, reporter
-from .results import Answered, GeodesicPath, Girth, IndexEstimate, IndexStatistics, Polylines, Profile
+from .results import Answered, GeodesicPath, IndexEstimate, IndexStatistics
 from .tasks import METHODS, Shared, paths_of
 
 _Kind = TypeVar("_Kind", bound="Surface")
 
 
-class Surface(Means):
+class Surface(Measuring, Means):
     """A triangle mesh for any number of questions: it reads the mesh once and chooses what answers.
 
     The first answers are exact, without an index. When they have taken as long as building one is estimated to take,
@@ -310,202 +310,6 @@ class Surface(Means):
         ends = point_lists.pairs(("source", "target"), source, target, len(self.vertices))
         paths = paths_of(self._ask(self._shared.core.paths, *ends, exact, certify, **how))
         return paths[0] if point_lists.is_single(source) and point_lists.is_single(target) else paths
-
-    def path_through(
-        self,
-        points: Points,
-        closed: bool = False,
-        progress: ProgressFunction | bool | None = None,
-        method: str | None = None,
-    ) -> GeodesicPath:
-        """The shortest path through points in the order given; each leg from a point to the next is exact.
-
-        Parameters
-        ----------
-        points : k points, k >= 2
-        closed : bool, default False
-            Whether it leads from the last point back to the first, where it begins and ends.
-
-        Returns
-        -------
-        GeodesicPath
-            Certified where all legs are. Two points that no path joins are refused.
-        """
-        rows = self._rows("points", points)
-        found = self._ask(self._shared.core.path_through, rows, bool(closed), method=method, progress=progress)
-        return paths_of(found)[0]
-
-    def points_along(self, path: Points | GeodesicPath, fractions: ArrayLike) -> SurfacePoints:
-        """The points at fractions of the length of a path, from 0 to 1.
-
-        Parameters
-        ----------
-        path : GeodesicPath, or k points
-            Of consecutive points, each two share a face.
-        fractions : float, or array_like of shape (j,)
-        """
-        rows = self._curve_rows(path)
-        (found,) = self._ask(
-            self._shared.core.points_along, rows, check.real_values("fractions", fractions), method="exact"
-        )
-        return surface_points(found)
-
-    def bezier(
-        self,
-        points: Points,
-        samples: int = 32,
-        progress: ProgressFunction | bool | None = None,
-        method: str | None = None,
-    ) -> GeodesicPath:
-        """The Bezier curve of control points: de Casteljau's construction with shortest paths as its straight lines.
-
-        Parameters
-        ----------
-        points : k points, k >= 2
-            Of one component; four make a cubic curve.
-        samples : int, default 32
-            The curve is taken at samples + 1 parameters, which shortest paths join.
-
-        Returns
-        -------
-        GeodesicPath
-            From the first point to the last. Where a shortest path between points of the construction changes sides, as
-            behind a hill, it jumps along a shortest path.
-
-        Notes
-        -----
-        Exact paths: (k - 1) (k - 2) / 2 for each sample, and one from each to the next.
-        """
-        chosen, steps = self._rows("points", points), check.integer("samples", samples, 1, 10**6)
-        found = self._ask(self._shared.core.bezier, chosen, steps, method=method, progress=progress)
-        return paths_of(found)[0]
-
-    def spline(
-        self,
-        points: Points,
-        closed: bool = False,
-        samples: int = 16,
-        progress: ProgressFunction | bool | None = None,
-        method: str | None = None,
-    ) -> GeodesicPath:
-        """A smooth curve through points in the order given: cubic Bezier curves with one direction where they meet.
-
-        That direction is half of the difference of the vectors to the next point and to the one before (Catmull, Rom
-        1974), at an end the vector to its neighbour.
-
-        Parameters
-        ----------
-        points : k points, k >= 2, or 3 of a closed curve
-            Of one component, where directions have angles, as for `log_map`.
-        closed : bool, default False
-            Whether it leads from the last point back to the first.
-        samples : int, default 16
-            Of each of the curves between two points, as for `bezier`.
-        """
-        chosen, steps = self._rows("points", points), check.integer("samples", samples, 1, 10**6)
-        found = self._ask(self._shared.core.spline, chosen, bool(closed), steps, method=method, progress=progress)
-        return paths_of(found)[0]
-
-    def tighten(
-        self,
-        curve: Points | GeodesicPath,
-        progress: ProgressFunction | bool | None = None,
-        method: str | None = None,
-    ) -> GeodesicPath:
-        """The closed geodesic that a closed curve is pulled to: it moves over faces and vertices, but over no border.
-
-        The shortest curve near it, which need not be the shortest of all that go round like it. With values of faces,
-        where paths refract, it is refused.
-
-        Parameters
-        ----------
-        curve : k points, k >= 2, or GeodesicPath
-            In order; points that share no face are joined by shortest paths, the last with the first.
-
-        Returns
-        -------
-        GeodesicPath
-            It begins and ends at one point. A curve that nothing holds is refused, naming where it slips off.
-        """
-        rows = self._curve_rows(curve)
-        return paths_of(self._ask(self._shared.core.tighten, rows, method=method, progress=progress))[0]
-
-    def shortest_loop(
-        self,
-        point: Points,
-        curve: Points | GeodesicPath | None = None,
-        progress: ProgressFunction | bool | None = None,
-        method: str | None = None,
-    ) -> GeodesicPath:
-        """The shortest loop through a point that cannot be contracted: round a handle, or between two borders.
-
-        Parameters
-        ----------
-        point : one point
-        curve : k points or GeodesicPath, optional
-            As for `tighten`: what the loop has to go round like; of such loops it is a shortest one near the curve.
-
-        Returns
-        -------
-        GeodesicPath
-            From the point back to it. Where every loop contracts, as on a sphere, it is refused.
-
-        Notes
-        -----
-        From the exact field of the point: a loop for each class of edges at which the shortest paths of their two ends
-        part (Erickson, Har-Peled 2004), pulled tight with the point held.
-        """
-        rows = self._one_row("point", point), self._curve_rows(() if curve is None else curve)
-        return paths_of(self._ask(self._shared.core.shortest_loop, *rows, method=method, progress=progress))[0]
-
-    def girth(
-        self,
-        point: Points,
-        normal: ArrayLike | None = None,
-        progress: ProgressFunction | bool | None = None,
-    ) -> Girth:
-        """How far it is round a limb at a point: by a plane section, by a tape measure, and along the surface.
-
-        Parameters
-        ----------
-        point : one point
-        normal : array_like, shape (3,), optional
-            Of the plane, of any length: the direction of the limb. None: of the planes through the normal of the
-            surface at the point, the one with the shortest closed section, among 36 at equal angles and then between
-            the neighbours of the best.
-
-        Returns
-        -------
-        Girth
-            Its loop is a single point, of length 0, where the section slips off, as on a sphere; `last.remark` says so.
-        """
-        row = self._one_row("point", point)
-        plane = (0.0, 0.0, 0.0) if normal is None else check.direction("normal", normal)
-        *paths, direction, corners, _ = self._ask(
-            self._shared.core.girth, row, *plane, normal is not None, method=None, progress=progress
-        )
-        section, loop = paths_of(paths)
-        order = np.arange(len(corners), dtype=np.int32)
-        return Girth(section, Polylines(corners, np.column_stack([order, np.roll(order, -1)])), loop, direction)
-
-    def profile(self, path: Points | GeodesicPath, up: ArrayLike = (0.0, 0.0, 1.0)) -> Profile:
-        """Height and slope along a path; `np.savetxt(file, np.column_stack(profile), delimiter=",")` writes a table.
-
-        Parameters
-        ----------
-        path : GeodesicPath, or k points
-            Consecutive points share a face.
-        up : array_like, shape (3,)
-            The direction in which heights count, of any length.
-        """
-        rows = self._curve_rows(path)
-        return Profile(*self._ask(self._shared.core.profile, rows, *check.direction("up", up), method=None))
-
-    def _one_row(self, name: str, point: Points) -> point_lists.Rows:
-        row = self._rows(name, point)
-        if len(row[0]) != 1:
-            raise InvalidInput(f"{name}: has {len(row[0])} points; give one.")
-        return row
 
     def __repr__(self) -> str:
         held = "with an index" if self._shared.core.has_index() else "no index yet"

@@ -22,17 +22,13 @@ from .points import EdgeCurve, Points, Rows, Sources, SurfacePoints, surface_poi
 from .progress import ProgressFunction, reporter
 from .results import (
     Answered,
-    Band,
-    CutMesh,
     Disk,
     Extent,
     FarthestSamples,
     GeodesicPath,
-    GeodesicPolygon,
     Isolines,
     Polylines,
     RelaxedPoints,
-    SetDistances,
     SparseDistances,
     VoronoiRegions,
 )
@@ -508,118 +504,6 @@ class Tasks:
         """
         rows, _ = self._source_rows(sources)
         return Disk(*self._ask(self._shared.core.disk, rows, check.length("radius", radius), method=method))
-
-    def band(
-        self,
-        sources: Sources,
-        width: float,
-        method: str | None = None,
-        progress: ProgressFunction | bool | None = None,
-    ) -> Band:
-        """Area within a distance of the nearest source, and the length of its border.
-
-        Faces at the border are bisected until their sides are at most width / 16. In each part the border is an arc of
-        a circle through its crossings of the sides; the distance of the middle of its chord says how far the arc is
-        from it. Exact for points in a plane but for the few arcs that leave a part and come back.
-
-        Parameters
-        ----------
-        sources : k points, k >= 1
-            Or an `EdgeCurve`, or a list that contains curves. A band around a curve lies on both sides of it.
-        width : float
-            0 or more.
-        """
-        rows, _ = self._source_rows(sources)
-        reach = check.length("width", width)
-        return Band(*self._ask(self._shared.core.band, rows, reach, method=method, progress=progress))
-
-    def disk_area(
-        self,
-        sources: Sources,
-        radius: float,
-        method: str | None = None,
-        progress: ProgressFunction | bool | None = None,
-    ) -> float:
-        """The area within a radius of the nearest source, as `band` finds it."""
-        rows, _ = self._source_rows(sources)
-        reach = check.length("radius", radius)
-        found: float = self._ask(self._shared.core.band, rows, reach, method=method, progress=progress)[0]
-        return found
-
-    def cut(self, lines: GeodesicPath | Points | list[GeodesicPath | Points]) -> CutMesh:
-        """The mesh with its faces cut along lines over it, such as paths.
-
-        The region of a face is its connected part after the cut, numbered from 0 in the order of the faces; `side` says
-        which faces are beside a line.
-
-        Parameters
-        ----------
-        lines : GeodesicPath or points, or a list of these
-            Consecutive points of a line lie on a common face: the points of a path do. Lines may cross.
-        """
-        several = isinstance(lines, list) and any(
-            isinstance(line, GeodesicPath) or not point_lists.is_single(line) for line in lines
-        )
-        listed = cast(list[Any], lines if several else [lines])
-        parts = [
-            self._rows(f"lines[{i}]", line.surface_points if isinstance(line, GeodesicPath) else line)
-            for i, line in enumerate(listed)
-        ]
-        begin = np.cumsum([0] + [len(part[0]) for part in parts], dtype=np.int32)
-        return self._cut_mesh(self._shared.core.cut_along(point_lists.joined(parts), begin))
-
-    def cut_at_levels(self, field: ArrayLike, levels: ArrayLike, interpolation: str = "distance") -> CutMesh:
-        """The mesh with its faces cut along isolines of a field.
-
-        The region of a face is the number of different levels that are at most its values: 0 below all of them; -1
-        where values are not finite.
-
-        Parameters
-        ----------
-        field, levels, interpolation
-            As for `isolines`.
-        """
-        return self._cut_mesh(self._shared.core.cut_at_levels(*self._levels(field, levels, interpolation)))
-
-    def polygon(
-        self, points: Points, method: str | None = None, progress: ProgressFunction | bool | None = None
-    ) -> GeodesicPolygon:
-        """The polygon of exact shortest paths from each point to the next, and from the last one to the first.
-
-        Neighbouring legs may begin together, as at a saddle; legs that cross or touch elsewhere are refused, as are
-        those that do not separate an inside from an outside: around a handle, say.
-
-        Parameters
-        ----------
-        points : k points, k >= 3
-        """
-        chosen = self._rows("points", points)
-        area, perimeter, angles, curvature, rest, vertices, faces, *legs = self._ask(
-            self._shared.core.polygon, chosen, method=method, progress=progress
-        )
-        return GeodesicPolygon(area, perimeter, angles, curvature, rest, vertices, faces, paths_of(legs))
-
-    @staticmethod
-    def _cut_mesh(found: Any) -> CutMesh:
-        vertices, faces, added, input_faces, region, edges, side = found
-        return CutMesh(vertices, faces, surface_points(added), input_faces, region, edges, side)
-
-    def set_distances(
-        self,
-        first: Sources,
-        second: Sources,
-        method: str | None = None,
-        progress: ProgressFunction | bool | None = None,
-    ) -> SetDistances:
-        """How far two sets of points are from each other: nearest, mean and Hausdorff distance, by two fields.
-
-        Parameters
-        ----------
-        first, second : points
-            At least one each. Or an `EdgeCurve`, or a list that contains curves, which stand for points along them.
-        """
-        sets = self._source_rows(first, "first")[0], self._source_rows(second, "second")[0]
-        return SetDistances(*self._ask(self._shared.core.set_distances, *sets, method=method, progress=progress))
 
     def eccentricity(
         self, points: Points, method: str | None = None, progress: ProgressFunction | bool | None = None

@@ -184,6 +184,9 @@ class Ask {
   GeodesicPolygon polygon(const std::vector<SurfacePoint>& points, By by) const {
     return geodesic_polygon(*surface_, into(points), task(by));
   }
+  GeodesicPolygon convex_hull(const std::vector<SurfacePoint>& points, By by) const {
+    return vorogeo::convex_hull(*surface_, into(points), task(by));
+  }
   /// \pre No face is split.
   CutMesh cut_at_levels(const std::vector<double>& values, const std::vector<double>& levels,
                         Interpolation interpolation = Interpolation::distance) const {

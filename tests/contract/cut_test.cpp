@@ -198,6 +198,24 @@ TEST(CutContract, CrossedLinesOfAPlaneHaveFourQuarters) {
   for (int i = 0; i < 4; ++i) EXPECT_NEAR(sorted[i], expected[i], 1e-9);
 }
 
+TEST(CutContract, SidesAreThoseOfALineHoweverFacesAreTurned) {
+  const test::Soup plane = test::plane_grid(7, 5, 2.0, 2.0, 0.2).soup;
+  std::vector<double> values;
+  for (const Point& p : plane.positions) values.push_back(p[0]);
+  for (const test::Soup& soup : {plane, test::with_flipped_faces(plane, 3)}) {
+    const Ask ask(soup);
+    const CutMesh cut = ask.cut_at_levels(values, {1.3}, Interpolation::linear);
+    const auto positions = positions_of(ask.mesh(), cut);
+    std::set<bool> upwards, agrees;
+    for (const auto& [a, b] : cut.edges) upwards.insert(positions[b][1] > positions[a][1]);
+    for (std::size_t f = 0; f < cut.faces.size(); ++f) {
+      if (cut.side[f] != 0) agrees.insert((cut.side[f] > 0) == (cut.region[f] > 0));
+    }
+    EXPECT_EQ(upwards.size(), 1U);
+    EXPECT_EQ(agrees, std::set<bool>{true});  // greater values are to the left
+  }
+}
+
 TEST(CutContract, LinesThatEndCrossAndRepeatInOneFace) {
   const test::Soup triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
   const Ask ask(triangle);

@@ -1,4 +1,5 @@
-// Polygons of shortest paths: area, perimeter and angles by formulas, and by Gauss-Bonnet what they enclose.
+// Polygons of shortest paths and convex hulls: area, perimeter and angles by formulas, and by Gauss-Bonnet
+// what they enclose.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -133,6 +134,80 @@ TEST(PolygonContract, WhatIsNoPolygonIsRefused) {
   const test::Soup two = test::two_components(plane, test::icosphere(1));
   has(refused(two, {corners[0], corners[1], vertex(static_cast<Index>(plane.positions.size()) + 5)}),
       "from point 1 (face");
+}
+
+TEST(HullContract, AroundACornerOfABoxItHasAQuarterTurnMore) {
+  for (const bool is_mixed : {false, true}) {
+    const test::Soup box = test::box({1.0, 1.7, 3.1}, 4).soup;
+    const Ask ask(is_mixed ? test::with_flipped_faces(box, 3) : box, {.patches = 3, .patches_in_each = 3});
+    const auto points = places_on(
+        ask.soup(),
+        {{0.1, 0.2, 0}, {0.6, 0, 0}, {0, 0, 0}, {0, 0.6, 0}, {0.3, 0, 0.29}, {0, 0, 0.6}, {0.6, 0, 0}});
+    for (const By by : {By::exact, By::index}) {
+      const GeodesicPolygon hull = ask.convex_hull(points, by);
+      std::vector<Index> corners = hull.corners;
+      std::ranges::sort(corners);
+      EXPECT_EQ(corners, (std::vector<Index>{1, 3, 5}));
+      EXPECT_NEAR(hull.area, 3.0 * 0.18, 1e-9);
+      for (const double angle : hull.angles) EXPECT_NEAR(angle, 0.5 * pi, 1e-9);
+      EXPECT_NEAR(hull.gauss_bonnet, 0.0, 1e-9);
+    }
+  }
+}
+
+TEST(HullContract, AroundAnApexAllPointsOfARingAreCorners) {
+  // In the second and third, points behind the apex lie in one direction.
+  for (const double total : {1.4 * pi, 2.3 * pi, 3.1 * pi}) {
+    const Ask ask(test::cone(12, 4, total, 2.0).soup);
+    std::vector<Index> points{0};
+    for (int sector = 0; sector < 12; ++sector) points.push_back(1 + 2 * 12 + sector);
+    for (int sector = 0; sector < 12; sector += 5) points.push_back(1 + 12 + sector);
+    const GeodesicPolygon hull = ask.convex_hull(vertices(points), By::exact);
+    ASSERT_EQ(hull.corners.size(), 12U) << total;
+    const double radius = distance_between(ask.soup().positions[0], ask.soup().positions[points[1]]);
+    EXPECT_NEAR(hull.perimeter, 24.0 * radius * std::sin(total / 24.0), 1e-9) << total;
+    EXPECT_NEAR(hull.area, 6.0 * radius * radius * std::sin(total / 12.0), 1e-9) << total;
+    for (const double angle : hull.angles) EXPECT_NEAR(angle, pi - total / 12.0, 1e-9) << total;
+    EXPECT_NEAR(hull.gauss_bonnet, 0.0, 1e-9) << total;
+  }
+}
+
+TEST(HullContract, ItTurnsAtASaddleWhereItsPathsDo) {
+  // Of sectors a quarter turn wide: from the first of four corners, the last two are behind the apex.
+  const Ask ask(test::cone(12, 4, 6.0 * pi, 2.0).soup);
+  const Index ring = 1 + 2 * 12;
+  const GeodesicPolygon hull =
+      ask.convex_hull(vertices({0, ring + 2, ring, 1 + 12 + 1, ring + 1, 1 + 12 + 3, ring + 3}), By::exact);
+  const double radius = distance_between(ask.soup().positions[0], ask.soup().positions[ring]);
+  std::vector<Index> corners = hull.corners;
+  std::ranges::sort(corners);
+  EXPECT_EQ(corners, (std::vector<Index>{1, 2, 4, 6}));
+  EXPECT_NEAR(hull.perimeter, (2.0 + 3.0 * std::numbers::sqrt2) * radius, 1e-9);
+  EXPECT_NEAR(hull.area, 1.5 * radius * radius, 1e-9);
+}
+
+TEST(HullContract, WhatHasNoHullIsRefused) {
+  const test::Soup plane = test::plane_grid(6, 6, 2.0, 2.0, 0.2).soup;
+  const auto refused = [](const test::Soup& soup, const std::vector<SurfacePoint>& points) {
+    return refusal([&] { Ask(soup).convex_hull(points, By::exact); });
+  };
+  const auto has = [](const std::string& sentence, const std::string& words) {
+    EXPECT_NE(sentence.find(words), std::string::npos) << sentence;
+  };
+  has(refused(plane, vertices({3, 4, 3})), "three different points or more; there are 2");
+  has(refused(plane, places_on(plane, {{0.3, 0.7, 0}, {1.1, 0.7, 0}, {0.6, 0.7, 0}})),
+      "lie on one line, from point ");
+  has(refused(plane, {vertex(0), vertex(99)}), "Point 1");
+  const test::Soup two = test::two_components(plane, test::icosphere(1));
+  has(refused(two, vertices({0, 3, 55})), "from point 0 (vertex 0) to point 2 (vertex 55)");
+  const test::Soup tube = test::prism(6, 2, 8, 1.0, 6.0).soup;
+  has(refused(tube, vertices({48, 51, 54, 57, 38})), "no convex hull");
+  const test::Soup sphere = test::icosphere(3);
+  has(refused(sphere,
+              places_on(sphere, {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}})),
+      "no convex hull");
+  const test::Soup torus = test::torus(24, 12, 2.0, 0.8);
+  has(refused(torus, vertices({0, 72, 144, 216})), "no convex hull");
 }
 
 }  // namespace

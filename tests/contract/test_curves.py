@@ -70,6 +70,33 @@ def test_a_path_through_points_is_as_long_as_their_distances(by: str, shape: Sha
             assert all((path.points == shape.vertices[vertex]).all(axis=1).any() for vertex in points)
 
 
+@table.asked(ask.TASKS, [shape for shape in table.LENGTHS if shape.name in ("plane", "prism", "cone", "repeats")])
+def test_guides_hold_a_path_on_their_side_only(by: str, shape: Shape, random: Rng) -> None:
+    guides = [shape.sources[0], *random.permutation(len(shape.vertices))[:2], shape.sources[-1]]
+    path = ask.task("path_through", by, shape, guides, guides=True)
+    assert_is_path(shape, path, guides[0], guides[-1])
+    assert not path.certified
+    through = ask.task("path_through", by, shape, guides)
+    shortest = shape.matrix(shape.sources[:1], shape.sources[-1:])[0, 0]
+    assert shortest * (1 - 1e-9) <= path.length <= through.length * (1 + 1e-9)
+    if shape.name in ("plane", "repeats"):  # there is no other geodesic
+        assert path.length == pytest.approx(shortest, rel=1e-9)
+
+
+def test_guides_say_which_way_round_a_tube_a_path_leads() -> None:
+    start, end = 12 * 3 + 2, 12 * 9 + 5  # a quarter turn and six rows apart
+    apart, up = 3 * AROUND / 12, 6 * 4 / 13
+    for half, length in (([], apart), ([12 * 5 + 10], AROUND - apart), ([40, 44, 48, 40, 44, 48], 2 * AROUND + apart)):
+        path = ask.task("path_through", "exact", PRISM, [start, *half, end], guides=True)
+        assert path.length == pytest.approx(np.hypot(length, up), rel=1e-12)
+        assert_is_path(PRISM, path, start, end)
+    closed = ask.task("path_through", "exact", PRISM, [13, 40, 17, 91, 20, 70, 23], closed=True, guides=True)
+    assert closed.length == pytest.approx(AROUND, rel=1e-12)
+    back = ask.task("path_through", "exact", PRISM, [30, 31, 43, 30], guides=True)
+    assert back.length == 0
+    np.testing.assert_array_equal(back.points, PRISM.vertices[[30]])
+
+
 @pytest.mark.parametrize("by", ask.TASKS)
 def test_loops_round_a_tube_are_as_long_as_its_sides(by: str, random: Rng) -> None:
     point = table.points_anywhere(PRISM, random, 1)
@@ -164,7 +191,7 @@ def test_a_tape_spans_what_bends_inwards() -> None:
 def test_profiles_have_heights_and_slopes(random: Rng) -> None:
     surface = ask.surface(PRISM)
     path = surface.path(25, 100)
-    length, height, angle = surface.profile(path, [0, 0, 3.0])
+    length, height, angle, _, _ = surface.profile(path, [0, 0, 3.0])
     assert length[0] == 0
     assert length[-1] == pytest.approx(path.length, rel=1e-12)
     np.testing.assert_allclose(height, path.points[:, 2], atol=1e-12)
@@ -181,9 +208,47 @@ def test_on_a_sharp_ridge_the_normal_leads_upwards() -> None:
     faces = np.array([[2, 0, 3], [2, 3, 5], [5, 4, 1], [1, 2, 5]], dtype=np.int32)
     for turned in (faces, np.vstack([faces[:2], faces[2:, ::-1]])):
         surface = vorogeo.Surface(vertices, turned)
-        _, height, angle = surface.profile(vorogeo.SurfacePoints([1, 1], [[0.3, 0, 0.7], [0.7, 0, 0.3]]))
+        _, height, angle, _, _ = surface.profile(vorogeo.SurfacePoints([1, 1], [[0.3, 0, 0.7], [0.7, 0, 0.3]]))
         np.testing.assert_allclose(height, 3)
         np.testing.assert_allclose(np.sin(angle), 0, atol=1e-9)
+
+
+def test_profiles_have_the_curvature_of_a_tube_in_their_direction(random: Rng) -> None:
+    # Between two corners, the normals of the prism turn by 2 sin(pi / 12) over as long a side.
+    start, end = 12 * 3 + 2, 12 * 9 + 5
+    slope = np.arctan2(6 * 4 / 13, 3 * AROUND / 12)
+    flipped = np.where(random.random((len(PRISM.faces), 1)) < 0.3, PRISM.faces[:, ::-1], PRISM.faces)
+    for faces, sign in ((PRISM.faces, 1), (flipped, 1), (PRISM.faces[:, ::-1], -1)):
+        surface = vorogeo.Surface(PRISM.vertices, faces)
+        for path, curvature in (
+            (surface.path(start, start + 3), 1.0),
+            (surface.path(start, start + 72), 0.0),
+            (surface.path(start, end), np.cos(slope) ** 2),
+        ):
+            found = surface.profile(path)
+            np.testing.assert_allclose(found.curvature, sign * curvature, atol=1e-9)
+            if sign < 0:
+                assert np.isinf(found.thickness).all()
+            else:
+                inside = found.thickness[1:-1]
+                assert ((inside > 2 * np.cos(np.pi / 12) - 1e-9) & (inside < 2 + 1e-9)).all()
+
+
+def test_profiles_have_the_thickness_of_a_box(random: Rng) -> None:
+    surface = ask.surface(BOX)
+    size = np.array([1.0, 2.0, 3.0])
+    for axis in range(3):
+        ends = random.uniform(0.1, 0.9, (2, 3)) * size
+        ends[:, axis] = size[axis]
+        middle = size / 2
+        middle[axis] = 0
+        for path in (surface.path(*(surface.snap(end) for end in ends)), surface.snap(middle)):
+            found = surface.profile(path)
+            np.testing.assert_allclose(found.thickness, size[axis], rtol=1e-12)
+            np.testing.assert_array_less(np.abs(found.curvature), 3)
+    flat = ask.surface(table.named("plane")).profile([0])
+    assert np.isinf(flat.thickness).all()
+    assert flat.curvature == 0
 
 
 REFUSED: dict[str, tuple[Any, str]] = {
@@ -225,6 +290,8 @@ def test_metrics_that_jump_have_paths_through_points_but_no_loops() -> None:
     for question in (lambda s: s.tighten([0, 1, 2]), lambda s: s.shortest_loop(0), lambda s: s.girth(0)):
         with ask.refused("Loops need edges on whose length both faces agree"):
             question(ask.surface(shape))
+    with ask.refused("Paths by guides need edges on whose length both faces agree"):
+        ask.surface(shape).path_through([0, 1, 2], guides=True)
 
 
 def test_a_limb_without_a_neck_has_section_and_tape_and_no_loop() -> None:

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <numbers>
 #include <numeric>
+#include <set>
 #include <thread>
 
 #include "cpp/sheet.h"
@@ -515,6 +516,20 @@ TEST_P(LibraryTasks, AreasPolygonsAndCuts) {
   for (const double angle : polygon.angles) EXPECT_NEAR(angle, 0.5 * std::numbers::pi, 1e-9);
   EXPECT_NEAR(polygon.gauss_bonnet, 0.0, 1e-9);
 
+  const vorogeo::PointList more{sheet.vertex(6, 12), sheet.vertex(20, 20), sheet.vertex(42, 12),
+                                sheet.vertex(42, 36), sheet.vertex(6, 36)};
+  const auto hull = vorogeo::convex_hull(surface, more, options);
+  EXPECT_EQ(std::set<int>(hull.corners.begin(), hull.corners.end()), (std::set<int>{0, 2, 3, 4}));
+  EXPECT_NEAR(hull.area, 0.75 * 0.5, 1e-9);
+  const auto outline = vorogeo::path_through(surface, corners, true).surface_points;
+  EXPECT_NEAR(vorogeo::enclosed_area(surface, outline).area, 0.75 * 0.5, 1e-9);
+  std::vector<int> half(sheet.faces.size(), 1);
+  std::fill(half.begin(), half.begin() + static_cast<int>(half.size()) / 2, -1);
+  const auto regions = vorogeo::region_areas(surface, half);
+  ASSERT_EQ(regions.size(), 2U);
+  EXPECT_EQ(regions[0].area, 0.0);
+  EXPECT_NEAR(regions[1].area, 0.5, 1e-9);
+
   const auto cut = vorogeo::cut_along(surface, polygon.legs);
   ASSERT_EQ(cut.points.size(), cut.positions.size());
   for (std::size_t v = 0; v < cut.points.size(); ++v) {
@@ -589,6 +604,9 @@ TEST(Library, CurvesToMeasureAlongAreThoseOfABoxAndOfFlatPaper) {
   EXPECT_TRUE(tour.certified);
   const vorogeo::Profile along = profile(paper, paper.path(0, squares));
   EXPECT_NEAR(along.along.back(), 1.0, 1e-12);
+  EXPECT_EQ(along.curvature.size(), along.thickness.size());
+  const Path straight = path_through(paper, {0, 300, 624}, false, true);
+  EXPECT_NEAR(straight.length, sheet.flat_distance(0, 624), 1e-12);
   for (const double angle : along.angle)
     EXPECT_LT(std::min(angle, std::numbers::pi - angle), 0.53);  // 30 degrees
   EXPECT_NE(

@@ -11,7 +11,7 @@ import pytest
 import vorogeo
 from vorogeo.cli.main import main
 
-from sample_meshes import plane_grid, write_off
+from sample_meshes import plane_grid, prism, write_off
 
 VERTICES, FACES = plane_grid(13, 11, 1.2, 1.0)
 APART = np.linalg.norm(VERTICES[:, None] - VERTICES[None], axis=2)
@@ -206,6 +206,16 @@ def test_the_default_name_is_made_of_mesh_and_command(mesh, capsys):
         (["matrix", "plane.off", "--out", "m.gii"], 1, "has no value for each vertex"),
         (["neighbours", "plane.off", "--radius", "1", "--out", "n.npy"], 1, "sparse matrix goes into .npz"),
         (["sample", "plane.off", "--method", "poisson"], 1, "--radius: is missing"),
+        (["loop", "plane.off"], 1, "--at: is missing; name the point"),
+        (["loop", "plane.off", "--curve", "0", "1", "14"], 1, "slips off: pulled tight, it contracts to a point"),
+        (["girth", "plane.off", "--at", "70"], 1, "is not closed: it meets the border at the edge between"),
+        (["girth", "plane.off", "--at", "70", "--normal", "0,1"], 2, "'0,1' is not a vector x,y,z"),
+        (["polygon", "plane.off", "--points", "0", "142", "12", "130"], 1, "of the polygon cross or touch"),
+        (["polygon", "plane.off", "--hull", "--points", "0", "1", "2"], 1, "The points lie on one line"),
+        (["cut", "plane.off"], 1, "--points: is missing; name points to cut along"),
+        (["cut", "plane.off", "--levels", "1"], 1, "--from: is missing; name the sources"),
+        (["cut", "plane.off", "--points", "0", "142", "--region", "5"], 1, "--region 5: is not there; the cut has"),
+        (["cut", "plane.off", "--points", "0", "142", "--out", "c.gii"], 1, "has no value for each vertex"),
         (["field", "text.off", "--from", "0"], 1, "text.off: cannot be read as a mesh"),
         (["field", "short.off", "--from", "0"], 1, "ends before the numbers of vertices and faces"),
         (["field", "plane.off"], 2, "vorogeo field: error: the following arguments are required: --from"),
@@ -230,6 +240,78 @@ def test_errors_are_one_line_and_a_status(mesh, tmp_path, capsys, arguments, sta
     assert {file.name for file in tmp_path.iterdir()} == before
 
 
+def test_measures_of_a_plane(mesh, tmp_path, capsys):
+    def printed(*arguments):
+        assert main([*arguments]) == 0
+        return [float(line.split()[-1]) for line in capsys.readouterr().out.splitlines()]
+
+    assert printed("through", mesh, "--points", "0", "12", "142") == pytest.approx([2.2])
+    assert printed("through", mesh, "--points", "0", "12", "142", "--closed") == pytest.approx([2.2 + np.hypot(1.2, 1)])
+    assert printed("through", mesh, "--points", "0", "15", "142", "--guides") == pytest.approx([np.hypot(1.2, 1)])
+    circle = printed("area", mesh, "--from", "0.6,0.5,0", "--radius", "0.3")
+    assert circle == pytest.approx([np.pi * 0.09, np.pi * 0.6], rel=1e-3)
+    corners = ["0.1,0.1,0", "1.1,0.1,0", "1.1,0.8,0", "0.1,0.8,0"]
+    assert printed("polygon", mesh, "--points", *corners) == pytest.approx([0.7, 3.4])
+    assert printed("polygon", mesh, "--hull", "--points", corners[2], "0.5,0.5,0", *corners) == pytest.approx(
+        [0.7, 3.4]
+    )
+    assert main(["polygon", mesh, "--points", *corners, "--out", "p.npz", "--quiet"]) == 0
+    found = np.load("p.npz")
+    np.testing.assert_allclose(found["angles"], np.pi / 2)
+    assert found["length"] == pytest.approx([1, 0.7, 1, 0.7])
+    assert main(["profile", mesh, "--points", *corners[:3], "--up", "1,0,0", "--quiet"]) == 0
+    assert Path("plane-profile.csv").read_text().splitlines()[0] == "length,height,angle,curvature,thickness"
+    length, height, angle, curvature, thickness = np.loadtxt("plane-profile.csv", delimiter=",", skiprows=1).T
+    assert length[-1] == pytest.approx(1.7)
+    np.testing.assert_allclose(height, np.minimum(0.1 + length, 1.1), atol=1e-9)
+    np.testing.assert_allclose(angle, np.pi / 2)
+    assert (curvature == 0).all()
+    assert np.isinf(thickness).all()
+
+
+def read_cut(file):
+    """Vertices, and faces with their quality, which meshio does not read."""
+    head, _, body = Path(file).read_bytes().partition(b"end_header\n")
+    count = int(re.search(rb"vertex (\d+)", head)[1])
+    row = np.dtype([("size", "u1"), ("ids", "<i4", 3), ("quality", "<f4")])
+    return np.frombuffer(body, "<f8", 3 * count).reshape(-1, 3), np.frombuffer(body[24 * count :], row)
+
+
+def test_cuts_go_to_files(mesh, capsys):
+    line = ["--points", "0.5,0,0", "0.5,1,0"]
+    assert main(["cut", mesh, *line]) == 0
+    assert re.search(r"2 regions, areas 0\.[57] 0\.[57]\b", capsys.readouterr().out)
+    points, cells = read_cut("plane-cut.ply")
+    assert len(cells) > len(FACES)
+    np.testing.assert_array_equal(points[: len(VERTICES)], VERTICES)
+    assert set(cells["quality"].tolist()) == {0, 1}
+    assert main(["cut", mesh, "--from", "0", "--levels", "0.3", "0.6", "--out", "c.npz", "--quiet"]) == 0
+    found = np.load("c.npz")
+    middle = np.linalg.norm(found["vertices"][found["faces"]].mean(axis=1)[:, :2], axis=1)
+    for region, (low, high) in enumerate([(0, 0.3), (0.28, 0.6), (0.57, 2)]):
+        assert (middle[found["region"] == region] <= high).all()
+        assert (middle[found["region"] == region] >= low).all()
+    assert main(["cut", mesh, "--from", "0", "--levels", "0.3", "--region", "0", "--out", "disk.ply", "--quiet"]) == 0
+    assert np.linalg.norm(read_cut("disk.ply")[0], axis=1).max() == pytest.approx(0.3)
+
+
+def test_loops_and_girths_of_a_tube(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    vertices, faces = prism(12, 9, 4.0)
+    write_off(tmp_path / "tube.off", vertices, faces)
+    around = np.linalg.norm(vertices[:12] - np.roll(vertices[:12], 1, axis=0), axis=1).sum()
+    ring = [str(vertex) for vertex in range(48, 60)]
+    for arguments in (["--at", "50"], ["--curve", *ring], ["--at", "50", "--curve", *ring]):
+        assert main(["loop", "tube.off", *arguments]) == 0
+        assert float(capsys.readouterr().out) == pytest.approx(around)
+    assert main(["girth", "tube.off", "--at", "50", "--normal", "0,0,1"]) == 0
+    said = [line.split() for line in capsys.readouterr().out.splitlines()]
+    assert [name for name, _ in said] == ["section", "tape", "loop"]
+    assert [float(value) for _, value in said] == pytest.approx([around] * 3)
+    assert main(["girth", "tube.off", "--at", "50", "--out", "g.csv", "--quiet"]) == 0
+    assert set(np.loadtxt("g.csv", delimiter=",", skiprows=1)[:, 0]) == {0, 1}
+
+
 def test_program_and_module_are_one(mesh):
     script = [str(Path(sys.executable).with_name("vorogeo"))]
     for program in ([sys.executable, "-m", "vorogeo"], script):
@@ -242,6 +324,13 @@ def test_program_and_module_are_one(mesh):
             "neighbours",
             "voronoi",
             "sample",
+            "through",
+            "loop",
+            "girth",
+            "area",
+            "polygon",
+            "profile",
+            "cut",
             "index",
             "compare",
             "info",

@@ -39,10 +39,14 @@ def _ends(task: MeshTask) -> tuple[Any, Any]:
 
 
 def path(task: MeshTask) -> Result:
-    """Shortest paths of pairs: their points, one path after the other."""
+    """Shortest paths of pairs."""
     find = task.surface.exact_path if task.exact else task.surface.path
     found = find(*_ends(task), progress=task.progress)
-    paths: list[GeodesicPath] = found if isinstance(found, list) else [found]
+    return _lines(task, found if isinstance(found, list) else [found])
+
+
+def _lines(task: MeshTask, paths: list[GeodesicPath]) -> Result:
+    """The points of paths, one path after the other."""
     begin = np.concatenate([[0], np.cumsum([len(one.points) for one in paths])])
     points = np.concatenate([one.points for one in paths]) / task.scale
     arrays: dict[str, NDArray[Any]] = {
@@ -130,6 +134,112 @@ def sample(task: MeshTask) -> Result:
     return Result("vertex", arrays, task.shown_mesh, lines=(points, none), text=f"{len(ids)} samples{covered}")
 
 
+def through(task: MeshTask) -> Result:
+    """The path through points."""
+    return _lines(task, [_path_through(task)])
+
+
+def _path_through(task: MeshTask) -> GeodesicPath:
+    return task.surface.path_through(
+        task.points("points"),
+        closed=bool(task.options.get("closed")),
+        guides=bool(task.options.get("guides")),
+        method=task.method,
+        progress=task.progress,
+    )
+
+
+def loop(task: MeshTask) -> Result:
+    """The shortest loop through a point, or a closed curve pulled tight."""
+    curve = task.points("curve") if task.options.get("curve") else None
+    how: dict[str, Any] = {"method": task.method, "progress": task.progress}
+    if task.options.get("at"):
+        return _lines(task, [task.surface.shortest_loop(task.points("at"), curve, **how)])
+    if curve is None:
+        raise InvalidInput("--at: is missing; name the point that the loop goes through, or a --curve to pull tight.")
+    return _lines(task, [task.surface.tighten(curve, **how)])
+
+
+def girth(task: MeshTask) -> Result:
+    """The lengths of section, tape and loop at a point; section and loop as paths."""
+    found = task.surface.girth(task.points("at"), task.options.get("normal"), progress=task.progress)
+    result = _lines(task, [found.section, found.loop])
+    result.arrays["tape"] = found.tape.points / task.scale
+    result.text = _table({"section": found.section.length, "tape": found.tape.length, "loop": found.loop.length})
+    return result
+
+
+def _table(values: dict[str, float]) -> str:
+    return "\n".join(f"{name} {value:.12g}" for name, value in values.items())
+
+
+def area(task: MeshTask) -> Result:
+    """The area within a radius of points and the length of its border."""
+    found = task.surface.band(task.points("from"), task.options["radius"], method=task.method, progress=task.progress)
+    measures = {"area": found.area, "border_length": found.border_length}
+    row = np.array([list(measures.values())])
+    return Result("measures", {"measures": row}, task.shown_mesh, text=_table(measures), columns=list(measures))
+
+
+def polygon(task: MeshTask) -> Result:
+    """The polygon of points, or their convex hull: its legs as paths, and its measures."""
+    find = task.surface.convex_hull if task.options.get("hull") else task.surface.polygon
+    found = find(task.points("points"), method=task.method, progress=task.progress)
+    result = _lines(task, found.legs)
+    result.arrays |= {
+        "area": np.array([found.area]),
+        "perimeter": np.array([found.perimeter]),
+        "corners": found.corners,
+        "angles": found.angles,
+        "inside_vertices": found.vertices,
+        "inside_faces": found.faces,
+    }
+    result.text = _table({"area": found.area, "perimeter": found.perimeter})
+    return result
+
+
+def profile(task: MeshTask) -> Result:
+    """What lies along the path through points, a row for each of its points."""
+    found = task.surface.profile(_path_through(task), task.options.get("up") or (0.0, 0.0, 1.0))
+    text = f"{len(found.length)} points, length {found.length[-1]:.6g}"
+    table = {"profile": np.column_stack(found)}
+    return Result("profile", table, task.shown_mesh, text=text, columns=list(found._fields))
+
+
+def cut(task: MeshTask) -> Result:
+    """The mesh cut along the path through points, or at distances from sources; all of it or a region."""
+    if task.options.get("levels"):
+        if not task.options.get("from"):
+            raise InvalidInput("--from: is missing; name the sources whose distances --levels are.")
+        distances = task.surface.distance_field(task.points("from"), method=task.method)
+        found = task.surface.cut_at_levels(distances, task.options["levels"], progress=task.progress)
+    elif task.options.get("points"):
+        found = task.surface.cut(_path_through(task), progress=task.progress)
+    else:
+        raise InvalidInput("--points: is missing; name points to cut along the path through them, or give --levels.")
+    count = int(found.region.max(initial=-1)) + 1
+    vertices, faces, region = found.vertices, found.faces, found.region
+    chosen = task.options.get("region")
+    if chosen is not None:
+        if chosen >= count:
+            raise InvalidInput(f"--region {chosen}: is not there; the cut has regions 0 to {count - 1}.")
+        vertices, faces, _ = found.part(chosen)
+        region = region[region == chosen]
+    areas = [surface_area(found.vertices, found.faces[found.region == k]) for k in range(count)]
+    arrays: dict[str, NDArray[Any]] = {
+        "region": region,
+        "vertices": vertices / task.scale,
+        "faces": faces,
+        "edges": found.edges,
+        "input_faces": found.input_faces,
+        "side": found.side,
+    }
+    if chosen is not None:
+        arrays = {name: arrays[name] for name in ("region", "vertices", "faces")}
+    text = f"{count} regions, areas {' '.join(f'{one:.6g}' for one in areas)}"
+    return Result("region", arrays, (arrays["vertices"], faces), per_face="region", text=text)
+
+
 def index(task: MeshTask) -> Result:
     """The index in a file, for --index of other commands."""
     s = task.index.statistics
@@ -159,6 +269,13 @@ COMMANDS: dict[str, Command] = {
     "neighbours": neighbours,
     "voronoi": voronoi,
     "sample": sample,
+    "through": through,
+    "loop": loop,
+    "girth": girth,
+    "area": area,
+    "polygon": polygon,
+    "profile": profile,
+    "cut": cut,
     "index": index,
     "compare": compare,
     "info": info,

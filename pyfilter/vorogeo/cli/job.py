@@ -20,6 +20,9 @@ from ..points import Points
 from ..surface import GeodesicIndex, Surface
 from .sources import metric_of, points_of
 
+#: Of few fields: `Surface` itself decides whether an index pays.
+_WITHOUT_INDEX = ("through", "loop", "girth", "area", "polygon", "profile", "cut")
+
 
 @dataclass(frozen=True)
 class Job:
@@ -109,8 +112,9 @@ class MeshTask:
 
     @cached_property
     def surface(self) -> Surface:
-        """What answers: the index, unless distances are exact and no file of one is named."""
-        return self.plain if self.exact and not self.options.get("index") else self.index
+        """What answers: the index, unless distances are exact or few and no file of one is named."""
+        without = self.exact or self.job.command in _WITHOUT_INDEX
+        return self.plain if without and not self.options.get("index") else self.index
 
     def points(self, option: str) -> Points:
         """The points of an option such as ``--from``."""

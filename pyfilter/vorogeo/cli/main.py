@@ -16,7 +16,8 @@ from .job import Job
 from .options import parser
 from .worker import failure, run
 
-_PRINTED = ("distance", "path", "compare", "info")
+_PRINTED = ("distance", "path", "through", "loop", "girth", "area", "polygon", "compare", "info")
+_ENDINGS = {"index": ".vgi", "neighbours": ".npz", "profile": ".csv", "cut": ".ply"}
 _NOT_IN_JOBS = ("command", "mesh", "out", "format", "jobs", "scheduler", "overwrite", "quiet", "version")
 
 
@@ -71,9 +72,8 @@ def _run(given: Any) -> int:
 
 
 def _ending(given: Any) -> str:
-    if given.command == "index":
-        return ".vgi"
-    return f".{given.format}" if given.format else ".npz" if given.command == "neighbours" else ".npy"
+    ending = _ENDINGS.get(given.command, ".npy")
+    return f".{given.format}" if given.format and ending != ".vgi" else ending
 
 
 def _run_one(given: Any, mesh: Path, options: dict[str, Any]) -> int:

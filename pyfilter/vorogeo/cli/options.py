@@ -33,6 +33,7 @@ examples
   vorogeo field bunny.ply --from 0 --out field.ply
   vorogeo distance bunny.ply --from 0 --to 17 18 19
   vorogeo matrix 'shapes/*.off' --out out/ --dtype float32 --normalise sqrt-area --jobs 2
+  vorogeo girth body.ply --at 0.1,1.2,0 --normal 0,1,0
   vorogeo neighbours lh.midthickness.gii --radius 10 --mask roi.shape.gii --out near.npz
   vorogeo matrix cortex.gii --dtype float32 --scheduler tcp://10.0.0.5:8786 --out cortex.npy"""
 
@@ -57,9 +58,19 @@ def _number(kind: type, low: float, high: float, what: str) -> Callable[[str], A
     return read
 
 
+def _vector(text: str) -> list[float]:
+    """Three numbers; a list, as options are kept in JSON."""
+    try:
+        x, y, z = (float(number) for number in text.split(","))
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a vector x,y,z") from None
+    return [x, y, z]
+
+
 _LENGTH = _number(float, 0, float("inf"), "a length of 0 or more")
 _COUNT = _number(int, 1, 2**31 - 1, "a whole number from 1 on")
 _SEED = _number(int, 0, 2**64 - 1, "a seed of 0 or more")
+_REGION = _number(int, 0, 2**31 - 1, "the number of a region")
 _PATCHES = _number(int, 0, 2**31 - 1, "a number of patches")
 _THREADS = _number(int, 1, MAX_THREADS, "a number of threads")
 _FORMATS = ("npy", "npz", "mat", "csv", "ply", "gii")
@@ -69,6 +80,7 @@ _TAKES: dict[str, dict[str, Any]] = {
     "": {"action": "store_true"},
     "POINT": {"nargs": "+", "action": "extend"},
     "L": {"type": _LENGTH},
+    "X,Y,Z": {"type": _vector},
     "P": {"type": _LENGTH},
     "W": {"type": _number(float, float("-inf"), float("inf"), "a number")},
     "D": {"type": _number(float, 0, 1, "a number from 0 to below 1"), "default": 0.0},
@@ -92,6 +104,12 @@ _SOURCES = _option("--from POINT", "the sources", required=True)
 _PAIRS = (
     _option("--from POINT", "where they begin", required=True),
     _option("--to POINT", "where they end; one start may have many ends, or one end many starts", required=True),
+)
+
+_THROUGH = (
+    _option("--points POINT", "in order", required=True),
+    _option("--closed", "and from the last back to the first"),
+    _option("--guides", "the points between the ends are guides only: the locally shortest path, as they lead"),
 )
 
 #: By command: what it does, what it needs besides a mesh, and its own options.
@@ -141,6 +159,56 @@ _COMMANDS: dict[str, tuple[str, str, _Options]] = {
             _option("--seed N", "of random numbers; default 0", type=_SEED, default=0),
         ),
     ),
+    "through": ("The path through points; without --out its length is printed.", "--points POINT...", _THROUGH),
+    "loop": (
+        "The shortest loop through a point, or a curve pulled tight; without --out its length is printed.",
+        "",
+        (
+            _option("--at POINT", "the point"),
+            _option(
+                "--curve POINT", "a closed curve through these, which is pulled tight; with --at: to go round like"
+            ),
+        ),
+    ),
+    "girth": (
+        "How far it is round a limb by section, tape and loop; without --out they are printed.",
+        "--at POINT",
+        (
+            _option("--at POINT", "the point", required=True),
+            _option("--normal X,Y,Z", "of the plane of the section; default: of the shortest one there"),
+        ),
+    ),
+    "area": (
+        "Area within a radius of points and the length of its border; without --out they are printed.",
+        "--from POINT... --radius L",
+        (_SOURCES, _option("--radius L", "in the unit of the mesh", required=True)),
+    ),
+    "polygon": (
+        "Area and perimeter of a polygon of shortest paths; without --out they are printed.",
+        "--points POINT...",
+        (
+            _option("--points POINT", "in order", required=True),
+            _option("--hull", "of the points in any order the convex hull"),
+        ),
+    ),
+    "profile": (
+        "Height, slope, curvature and thickness along the path through points (.csv).",
+        "--points POINT...",
+        (*_THROUGH, _option("--up X,Y,Z", "the direction in which heights count; default 0,0,1")),
+    ),
+    "cut": (
+        "The mesh cut along the path through points, or at distances from sources (.ply, .npz).",
+        "",
+        (
+            _option("--points POINT", "in order; a path through them is the line"),
+            *_THROUGH[1:],
+            _option("--from POINT", "the sources"),
+            _option("--levels L", "distances from the sources", nargs="+"),
+            _option(
+                "--region N", "this part only; default: all, with the part of each face as its quality", type=_REGION
+            ),
+        ),
+    ),
     "index": ("Build the index and write it to a file (.vgi), for --index of other commands.", "", ()),
     "compare": (
         "Errors and times of the index, of other methods, or of a field made elsewhere, against the exact field.",
@@ -165,7 +233,7 @@ _COMMANDS: dict[str, tuple[str, str, _Options]] = {
 _COMMON: _Options = (
     _option("mesh MESH", "files, patterns or folders", nargs="+"),
     _option("--out PLACE", "a file, or for several meshes a folder; default: MESH-COMMAND.npy here"),
-    _option("--format", "of files in a folder; default: npy, of neighbours npz", choices=_FORMATS),
+    _option("--format", "of files in a folder; default: npy; neighbours npz, profile csv, cut ply", choices=_FORMATS),
     _option("--dtype", "of distances", choices=("float64", "float32"), default="float64"),
     _option("--exact", "exact propagation instead of the index: slower, no errors"),
     _option(

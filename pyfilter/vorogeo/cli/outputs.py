@@ -24,6 +24,7 @@ class Result:
     arrays: dict[str, NDArray[Any]]  # all of them
     mesh: tuple[NDArray[Any], NDArray[Any]]  # vertices, as in the file, and faces
     per_vertex: str = ""  # the one with a value for each vertex, for meshes with quality and GIFTI; empty: none
+    per_face: str = ""  # the one with a value for each face, for meshes with quality of faces; empty: none
     lines: tuple[NDArray[Any], NDArray[Any]] | None = None  # points and edges to write as PLY instead of the mesh
     sparse: Any = None  # a scipy.sparse matrix instead of arrays
     text: str = ""  # what to tell the user
@@ -114,7 +115,8 @@ def _csv(result: Result, part: Path) -> None:
 def _ply(result: Result, part: Path) -> None:
     points, cells = result.lines if result.lines is not None else result.mesh
     quality = result.arrays[result.per_vertex] if result.per_vertex and result.lines is None else None
-    if quality is None and result.lines is None:
+    of_faces = result.arrays[result.per_face] if result.per_face else None
+    if quality is None and of_faces is None and result.lines is None:
         raise InvalidInput("This result has no value for each vertex, so it is no PLY; choose .npy, .npz or .csv.")
     vertex = np.zeros(
         len(points), [(axis, "<f8") for axis in "xyz"] + ([] if quality is None else [("quality", "<f4")])
@@ -126,9 +128,14 @@ def _ply(result: Result, part: Path) -> None:
         vertex["quality"] = np.where(np.isfinite(quality), quality, -1)  # as the filters: -1 where no path leads
         head.append("property float quality")
     if result.lines is None:
-        rows = np.zeros(len(cells), [("size", "u1"), ("ids", "<i4", 3)])
+        rows = np.zeros(
+            len(cells), [("size", "u1"), ("ids", "<i4", 3), *([] if of_faces is None else [("quality", "<f4")])]
+        )
         rows["size"], rows["ids"] = 3, cells
         head += [f"element face {len(cells)}", "property list uchar int vertex_indices"]
+        if of_faces is not None:
+            rows["quality"] = of_faces
+            head.append("property float quality")
     else:
         rows = np.ascontiguousarray(cells, "<i4")
         head += [f"element edge {len(cells)}", "property int vertex1", "property int vertex2"]

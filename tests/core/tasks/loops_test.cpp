@@ -108,6 +108,19 @@ TEST(Loops, OfASphereSlipOff) {
   }
 }
 
+TEST(Loops, SayThatTheyWereStillBecomingShorter) {
+  const test::Soup box = test::box({1.0, 2.0, 3.0}, 5).soup;
+  Surface surface = surface_on(box);
+  Index face = 0;  // half-way up
+  while (std::abs(position_of(*surface.mesh(), SurfacePoint::in_face(face, {0.2, 0.3, 0.5}))[2] - 1.5) > 0.3)
+    ++face;
+  const Girth found = girth(surface, SurfacePoint::in_face(face, {0.2, 0.3, 0.5}), Point{0.1, 0.2, 1.0});
+  const TightLoop one = tightened(*surface.geometry()->windows, found.section.points, 1);
+  EXPECT_NE(one.remark.find("still becoming shorter after 1 rounds"), std::string::npos) << one.remark;
+  EXPECT_LT(one.path.length, found.section.length);
+  EXPECT_EQ(tightened(*surface.geometry()->windows, one.path.points).remark, "");
+}
+
 TEST(Loops, AreRefusedWhereThreeFacesMeet) {
   const test::Soup soup = test::book_of_three_pages(3, 2.0, 1.0).soup;
   Surface surface = surface_on(soup);

@@ -1,0 +1,55 @@
+// What closed lines over a surface enclose.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tasks/cut.h"
+
+namespace vorogeo {
+
+/// The side of closed lines that has no border of the surface besides them, and if both or none have, the
+/// smaller one. Measures are in the metric of the mesh, which must outlive it.
+class EnclosedPart {
+ public:
+  /// `cut`: along the lines. \throw InvalidInput, in which `lines` names them, where they have one and the
+  /// same side left and right, as around a handle or a tube. Complexity: O(n log n) for n faces.
+  EnclosedPart(const Mesh& mesh, CutMesh cut, const std::string& lines);
+
+  /// The mesh, cut along the lines.
+  const CutMesh& cut() const { return cut_; }
+  /// The same, taken out: nothing else may be asked then.
+  CutMesh take() { return std::move(cut_); }
+  double area() const { return area_; }
+  /// Of a face of the cut.
+  bool has(Index face) const { return side_[cut_.region[face]] == inside_; }
+  std::array<Point, 3> corners(Index face) const;
+  /// Whether a point of the mesh lies inside or, but for rounding, on the lines.
+  bool holds(const SurfacePoint& point) const;
+  /// 1 for a disk.
+  Index euler_characteristic() const;
+
+  /// Calls visit(ends, sides of faces) for each edge of the cut.
+  template <class Visit>
+  void for_each_edge(Visit&& visit) const {
+    for (auto next = cut_.sides.begin(); next != cut_.sides.end();) {
+      const auto first = next;
+      while (next != cut_.sides.end() && next->ends == first->ends) ++next;
+      visit(first->ends, std::span(first, next));
+    }
+  }
+
+ private:
+  std::vector<Index> sides_from(Index start) const;
+
+  const Mesh& mesh_;
+  CutMesh cut_;
+  std::vector<Index> side_;  ///< by region 0 or 1; no_index for other components
+  Index inside_ = 0;
+  double area_ = 0.0;
+};
+
+}  // namespace vorogeo

@@ -1,0 +1,31 @@
+// Areas of regions of faces and of what a closed curve encloses, with their borders and volumes.
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "tasks/workers.h"
+
+namespace vorogeo {
+
+struct RegionArea {
+  double area = 0.0;           ///< in the metric of the mesh; that over a gap does not count
+  double border_length = 0.0;  ///< of edges with faces inside on one side only, the mesh's border among them
+  /// In space, what it encloses if each of its edges has two of its faces; otherwise NaN. Cavities, whose
+  /// faces are turned inwards, do not count.
+  double volume = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// By region 0 to `regions` - 1, of faces with that label. `label`: by face as given; others than these
+/// numbers are of no region. \throw NotEnoughMemory; Cancelled. Complexity: O(faces + regions).
+std::vector<RegionArea> region_areas(const Mesh& mesh, std::span<const Index> label, std::size_t regions,
+                                     const TaskOptions& options = {});
+
+/// Of the side of a closed curve without border of the mesh, else of the smaller one (EnclosedPart). The
+/// border is the curve. \throw InvalidInput for a curve that is not closed, crosses or touches itself (names
+/// its points), or has one and the same side, and as cut_along(); Cancelled. Complexity: O(n log n) for n
+/// faces.
+RegionArea enclosed_area(const Mesh& mesh, const PointList& curve, const TaskOptions& options = {});
+
+}  // namespace vorogeo
