@@ -4,7 +4,8 @@ include(CMakePackageConfigHelpers)
 find_package(Threads REQUIRED)
 
 # Static, or shared with -DBUILD_SHARED_LIBS=ON. The core is in it; only what the public header declares is visible.
-add_library(vorogeo ${PROJECT_SOURCE_DIR}/core/vorogeo.cpp ${PROJECT_SOURCE_DIR}/core/vorogeo_means.cpp)
+add_library(vorogeo ${PROJECT_SOURCE_DIR}/core/vorogeo.cpp ${PROJECT_SOURCE_DIR}/core/vorogeo_means.cpp
+            ${PROJECT_SOURCE_DIR}/core/vorogeo_sides.cpp)
 get_target_property(vorogeo_type vorogeo TYPE)
 if(vorogeo_type STREQUAL SHARED_LIBRARY OR VOROGEO_CORE_LIBRARY)
   target_link_libraries(vorogeo PRIVATE $<BUILD_INTERFACE:vorogeo_core>)

@@ -21,7 +21,9 @@
 #include "tasks/curve_sources.h"
 #include "tasks/curves.h"
 #include "tasks/cut.h"
+#include "tasks/cut_locus.h"
 #include "tasks/directions.h"
+#include "tasks/distance_gradient.h"
 #include "tasks/distance_matrix.h"
 #include "tasks/extent.h"
 #include "tasks/girth.h"
@@ -33,8 +35,10 @@
 #include "tasks/profile.h"
 #include "tasks/region_areas.h"
 #include "tasks/set_distances.h"
+#include "tasks/signed_distance.h"
 #include "tasks/spread_points.h"
 #include "tasks/surface_lines.h"
+#include "tasks/texture.h"
 #include "tasks/voronoi_regions.h"
 
 // The core's own names, before the header below declares public ones beside them.
@@ -46,7 +50,9 @@ using vorogeo::check_mesh;
 using vorogeo::convex_hull;
 using vorogeo::cut_along;
 using vorogeo::cut_at_levels;
+using vorogeo::cut_locus;
 using vorogeo::CutMesh;
+using vorogeo::distance_gradient;
 using vorogeo::enclosed_area;
 using vorogeo::Error;
 using vorogeo::exp_map;
@@ -65,12 +71,14 @@ using vorogeo::profile;
 using vorogeo::Query;
 using vorogeo::region_areas;
 using vorogeo::set_distances;
+using vorogeo::signed_distance;
 using vorogeo::slope_cost;
 using vorogeo::spline;
 using vorogeo::Surface;
 using vorogeo::SurfacePoint;
 using vorogeo::tangent_frames;
 using vorogeo::TaskOptions;
+using vorogeo::texture_coordinates;
 using vorogeo::tighten;
 using vorogeo::to_string;
 using vorogeo::transport;

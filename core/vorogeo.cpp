@@ -496,8 +496,7 @@ VoronoiRegions voronoi(const Surface& surface, const PointList& sites, const Tas
   return ask(surface, options, [&](const Asked& at) {
     auto found = voronoi_regions(at.surface, at.in(sites), at.options);
     VoronoiRegions regions;
-    regions.face_region =
-        InputMap(at.mesh).of_faces(found.face_region, static_cast<std::size_t>(surface.face_count()));
+    regions.face_region = InputMap(at.mesh).of_faces(found.face_region, surface.state().face_count, no_index);
     regions.vertex_region = InputMap(at.mesh).of_vertices(std::move(found.vertex_region));
     regions.distance = InputMap(at.mesh).of_vertices(std::move(found.distance));
     regions.area = std::move(found.area);

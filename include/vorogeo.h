@@ -711,5 +711,73 @@ VOROGEO_API Clusters k_means(const Surface& surface, int count, const ClusterOpt
 /// The same with the sum of weighted distances; centres are points of the list.
 VOROGEO_API Clusters k_medoids(const Surface& surface, int count, const ClusterOptions& options = {});
 
+// ---- Sides, derivatives, and where paths meet
+
+struct SignedDistanceOptions {
+  double limit = unreachable;  ///< distances beyond it are infinite, with their sign
+  ProgressFunction progress = {};
+};
+/// The distance of every vertex from closed curves, at most 1.3e-6 of a typical edge too long: negative
+/// inside, on the side without border of the surface, else the smaller one. A curve is a line whose
+/// consecutive points share a face and which ends where it begins, such as the `surface_points` of a closed
+/// path. \throw InvalidInput for curves that are open, cross or touch, or do not separate the surface, and
+/// where the metric jumps at edges.
+VOROGEO_API std::vector<double> signed_distance(const Surface& surface,
+                                                const std::vector<std::vector<SurfacePoint>>& curves,
+                                                const SignedDistanceOptions& options = {});
+/// The same from the border of a region, negative in it; `in_region` says of each face whether it belongs.
+VOROGEO_API std::vector<double> signed_distance(const Surface& surface, const std::vector<bool>& in_region,
+                                                const SignedDistanceOptions& options = {});
+
+/// Derivatives of the distances of pairs by the positions of vertices. Those that are not listed are 0.
+struct DistanceGradient {
+  std::vector<double> distance;  ///< by pair
+  std::vector<int> pair;         ///< by entry, ascending
+  std::vector<int> vertex;       ///< by entry
+  std::vector<Point> gradient;   ///< by entry
+};
+/// Of exact distances between points that keep their weights in their faces. Where several paths are
+/// shortest, of one of them; nothing where both points are one, or no path leads. \throw InvalidInput with a
+/// metric.
+VOROGEO_API DistanceGradient distance_gradient(const Surface& surface, const PointList& from,
+                                               const PointList& to, const TaskOptions& options = {});
+
+struct CutLocusOptions {
+  double min_angle = 0.0;      ///< only where directions differ by so much, up to pi
+  double limit = unreachable;  ///< only within this distance
+  ProgressFunction progress = {};
+};
+/// Where several shortest paths end. From one source, its cut locus: without it, the surface can be laid out
+/// from there. From several, also the borders of their Voronoi regions: the ridge of the field.
+struct CutLocus {
+  std::vector<SurfacePoint> points;
+  std::vector<Point> positions;  ///< of the points, in space
+  std::vector<std::array<int, 2>> edges;
+  std::vector<double> distance;  ///< by point
+  std::vector<double> angle;     ///< by point: between the directions in which its shortest paths arrive
+};
+/// Exact where it crosses edges, straight in faces. On a polyhedron it has a line to each convex vertex; a
+/// least angle leaves those out that a smooth surface has not. \throw InvalidInput for no source, an angle
+/// that is not from 0 to pi, and where the metric jumps at edges.
+VOROGEO_API CutLocus cut_locus(const Surface& surface, const PointList& sources,
+                               const CutLocusOptions& options = {});
+
+struct TextureOptions {
+  double rotation = 0.0;  ///< of the picture about the point, in radians, as angles grow in the frame there
+  double scale = 1.0;     ///< of the picture; at 1 its side is twice the radius
+  ProgressFunction progress = {};
+};
+struct TextureCoordinates {
+  /// By vertex; the point has (0.5, 0.5). NaN beyond the radius.
+  std::vector<std::array<double, 2>> coordinates;
+  /// By face, the greatest and the least factor by which the picture is stretched beyond its scale; NaN where
+  /// a corner has no coordinates.
+  std::vector<std::array<double, 2>> stretch;
+};
+/// A picture laid around a point: lines through its middle become shortest paths of their true length. \throw
+/// InvalidInput as log_map(), and for a radius or a scale that is not above 0.
+VOROGEO_API TextureCoordinates texture_coordinates(const Surface& surface, const SurfacePoint& point,
+                                                   double radius, const TextureOptions& options = {});
+
 }  // namespace v0
 }  // namespace vorogeo

@@ -140,6 +140,7 @@ void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& l
   state.distances_only = limits.distances_only;
   state.merge_tolerance = limits.merge_tolerance;
   state.directions = limits.directions;
+  state.segments = limits.segments;
   if (!limits.edge_targets.empty()) state.require_windows();
   state.has_corridor = corridor.has_value();
   if (corridor) state.corridor_at = position_of(state.mesh, *corridor);
@@ -155,8 +156,7 @@ void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& l
     shared_->run(state, limits.progress);
     return;
   }
-  for (std::size_t i = 0; i < state.sources.size(); ++i)
-    state.start_at(state.sources[i], static_cast<Index>(i));
+  state.start();
 
   std::size_t settled = 0;
   std::size_t settled_on_edges = 0;

@@ -1,6 +1,7 @@
 // Exact geodesic distances from one or many sources, by propagation of windows across the faces.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -16,6 +17,7 @@ class ExactLandmarks;
 class SharedRun;
 class TangentFrame;
 struct ExactGeometry;
+struct Ridge;
 
 /// Where the distance starts, and with which value.
 struct ExactSource {
@@ -37,6 +39,13 @@ void require_limit(double max_distance);
 struct EdgePoint {
   Index edge;
   double position;
+};
+
+/// A straight segment in a face, by the weights of its ends there. All its points are sources.
+struct SourceSegment {
+  Index face;
+  std::array<double, 3> from, to;
+  Index source;  ///< the number that its points have
 };
 
 /// What a propagation need not compute, and how closely.
@@ -72,6 +81,10 @@ struct ExactLimits {
   /// If set: first_leg() will be read; the frame is that of the only source, whose offset is 0, and outlives
   /// what is read of the run. Not with a merge_tolerance, whose windows have no angle at the source.
   const TangentFrame* directions = nullptr;
+  /// Sources besides those of the list, which has the ends of all. Those on an edge are given in each of its
+  /// faces. Distances are never too short, and at most 1.3e-6 of a typical edge too long; only those of
+  /// vertices are then meant to be read. Not with directions.
+  std::span<const SourceSegment> segments{};
   /// If set: receives the fraction of vertices reached, from the calling thread; may cancel the run.
   /// Otherwise the run has checkpoints.
   const Progress* progress = nullptr;
@@ -122,6 +135,9 @@ class ExactSolver {
   /// The angle, in the frame of a point, at which the shortest path from it to its nearest source begins; NaN
   /// at a source and where none can be reached. \throw std::logic_error after a run with distances_only.
   double last_leg(const TangentFrame& frame) const;
+  /// Where several shortest paths arrive, in directions that differ by more than 1e-4. Complexity:
+  /// O(windows). \throw std::logic_error after a run with distances_only.
+  Ridge ridge() const;
   /// The shortest path from `target` back to its nearest source, target first. Empty if unreachable.
   /// \throw std::logic_error after a run with distances_only.
   SurfacePath path_to_source(const SurfacePoint& target) const;

@@ -10,6 +10,7 @@
 
 #include "exact/exact_geometry.h"
 #include "exact/exact_solver.h"
+#include "exact/ridge.h"
 #include "exact/weighted_solver.h"
 #include "support/progress.h"
 
@@ -62,6 +63,8 @@ class LocalSolver {
   double first_leg(Index vertex) const { return windows_->first_leg(vertex); }
   double first_leg(const SurfacePoint& point) const { return windows_->first_leg(point); }
   double last_leg(const TangentFrame& frame) const { return windows_->last_leg(frame); }
+  /// \pre The metric jumps nowhere.
+  Ridge ridge() const { return windows_->ridge(); }
   SurfacePath path_to_source(const SurfacePoint& target) const {
     return at(vertex_near(target), [&](const auto& s) { return s.path_to_source(target); });
   }

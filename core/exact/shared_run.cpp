@@ -69,8 +69,7 @@ void SharedRun::prepare(ExactSolver::State& first) {
 
 void SharedRun::run(ExactSolver::State& first, const Progress* progress) {
   prepare(first);
-  for (std::size_t i = 0; i < first.sources.size(); ++i)
-    first.start_at(first.sources[i], static_cast<Index>(i));
+  first.start();
   begin_next_step();
   std::optional<Watch> watch;
   if (progress != nullptr) watch.emplace(*progress, "Computing exact distances");

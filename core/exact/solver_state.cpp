@@ -17,6 +17,15 @@ constexpr double sector_tolerance = 1e-6;
 /// How far on the way to the nearest edge opposite the front has come when a flat vertex lights its sector.
 constexpr double before_next_edge = 0.99;
 
+/// How far behind a piece of a segment its pseudo-source lies, in lengths of the piece: the wave of such a
+/// source lags behind the segment's by an eighth of the piece over this, and distances to it are rounded to
+/// so many units in the last place.
+constexpr double far_behind = 1e5;
+/// By so much is its offset smaller, so that no rounding makes a distance negative.
+constexpr double behind_rounding = 1e-15;
+/// Pieces of a segment at most.
+constexpr double most_pieces = 64.0;
+
 }  // namespace
 
 void ExactSolver::State::emit(Index vertex, Index corner, double width, double least_angle,
@@ -141,6 +150,75 @@ void ExactSolver::State::emit_from(const ExactSource& source, Index id, Index ha
                                       at_apex * frame.apex_depth, source.offset, halfedge, id);
   if (directions != nullptr) window.first_leg = first_leg_over(halfedge);
   add_window(edge, window);
+}
+
+void ExactSolver::State::start() {
+  for (std::size_t i = 0; i < sources.size(); ++i) start_at(sources[i], static_cast<Index>(i));
+  for (const SourceSegment& segment : segments) start_along(segment);
+}
+
+void ExactSolver::State::start_along(const SourceSegment& segment) {
+  using Vector = std::array<double, 2>;
+  const auto product = [](const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1]; };
+  const auto difference = [](const Vector& a, const Vector& b) { return Vector{a[0] - b[0], a[1] - b[1]}; };
+  const FacePlane plane(*geometry, segment.face);
+  const Vector from = plane.at(segment.from);
+  const Vector step = difference(plane.at(segment.to), from);
+  const double length = std::hypot(step[0], step[1]);
+  if (!(length > 0.0)) return;
+  const double pieces = std::clamp(std::ceil(length / mesh.typical_edge_length()), 1.0, most_pieces);
+  const double piece = length / pieces;
+  const double behind = far_behind * piece;
+  const Vector along{step[0] / length, step[1] / length};
+  for (const double side : {1.0, -1.0}) {
+    const Vector ahead{-side * along[1], side * along[0]};
+    std::array<Vector, 3> corner{};  // along the segment, and ahead of it
+    for (int i = 0; i < 3; ++i) {
+      const Vector place = difference(plane.corner[i], from);
+      corner[i] = {product(place, along), product(place, ahead)};
+      const auto [x, height] = corner[i];
+      const Index v = mesh.face_vertices(segment.face)[i];
+      if (x >= 0.0 && x <= length && height >= 0.0 && height < vertices[v].distance)
+        reach_vertex(v, {height, -1.0, segment.source, no_index});
+    }
+    for (int i = 0; i < 3; ++i) {
+      if (segment.from[(i + 2) % 3] == 0.0 && segment.to[(i + 2) % 3] == 0.0)
+        continue;  // it lies on the edge
+      const Index h = 3 * segment.face + i;
+      const Index edge = mesh.edge_of(h);
+      const double edge_length = mesh.edge_length(edge);
+      if (!(edge_length > 0.0)) continue;
+      const bool is_forth = mesh.tail(h) == geometry->ends(edge)[0];
+      const int first = is_forth ? i : (i + 1) % 3, second = is_forth ? (i + 1) % 3 : i;
+      const Vector way = difference(plane.corner[second], plane.corner[first]);
+      const Vector unit{way[0] / edge_length, way[1] / edge_length};
+      // Away from the edge into the face.
+      Vector inwards{-unit[1], unit[0]};
+      if (product(inwards, difference(plane.corner[(i + 2) % 3], plane.corner[first])) < 0.0)
+        inwards = {unit[1], -unit[0]};
+      for (double k = 0.0; k < pieces; ++k) {
+        // The part of the edge ahead of the piece.
+        double begin = 0.0, end = 1.0;
+        const auto keep = [&](double at_first, double at_second) {  // where this is at least 0
+          const double zero = at_first / (at_first - at_second);
+          if (at_first < 0.0) begin = at_second > 0.0 ? std::max(begin, zero) : 1.0;
+          if (at_second < 0.0) end = at_first > 0.0 ? std::min(end, zero) : 0.0;
+        };
+        keep(corner[first][1], corner[second][1]);
+        keep(corner[first][0] - k * piece, corner[second][0] - k * piece);
+        keep((k + 1.0) * piece - corner[first][0], (k + 1.0) * piece - corner[second][0]);
+        if (!(begin < end)) continue;
+        const double middle = (k + 0.5) * piece;
+        const Vector source{from[0] + middle * along[0] - behind * ahead[0],
+                            from[1] + middle * along[1] - behind * ahead[1]};
+        const Vector seen = difference(source, plane.corner[first]);
+        const double source_y = product(seen, inwards);
+        if (!(source_y > 0.0)) continue;
+        add_window(edge, {begin * edge_length, end * edge_length, product(seen, unit), source_y,
+                          -behind * (1.0 - behind_rounding), h, segment.source});
+      }
+    }
+  }
 }
 
 void ExactSolver::State::start_at(const ExactSource& source, Index id) {

@@ -173,7 +173,10 @@ struct ExactSolver::State {
   void reset();
   /// \throw std::logic_error if the run gave up its windows.
   void require_windows() const;
+  /// Sends out windows from all sources.
+  void start();
   void start_at(const ExactSource& source, Index id);
+  void start_along(const SourceSegment& segment);
   std::size_t memory_bytes() const;
   /// Items of the queue between two reports of progress: some milliseconds.
   static constexpr int items_per_report = 4096;
@@ -305,6 +308,7 @@ struct ExactSolver::State {
   std::shared_ptr<const ExactGeometry> geometry;
   const Mesh& mesh;
   std::vector<ExactSource> sources;
+  std::span<const SourceSegment> segments;
   std::unordered_multimap<Index, Index> face_sources;
   std::span<const std::uint8_t> face_allowed;
   double max_distance = unreachable;

@@ -140,12 +140,6 @@ std::vector<Index> InputMap::central_parts() const {
   return parts;
 }
 
-std::vector<Index> InputMap::of_faces(std::span<const Index> values, std::size_t count) const {
-  std::vector<Index> given(count, no_index);
-  for (const Index f : central_parts()) given[mesh_.input_face(f)] = values[f];
-  return given;
-}
-
 std::vector<Index> InputMap::edges_between(Index a, Index b) const {
   const Index edge = mesh_.edge_between(a, b);
   if (edge != no_index) return {edge};

@@ -66,8 +66,13 @@ class InputMap {
   std::vector<double> on_vertices(std::span<const double> values) const;
   /// Of each given face that was not left out, itself or the part of it with its centre; without bridges.
   std::vector<Index> central_parts() const;
-  /// Values of faces at the centres of the given ones, `count` in number; no_index where one was left out.
-  std::vector<Index> of_faces(std::span<const Index> values, std::size_t count) const;
+  /// Values of faces at the centres of the given ones, `count` in number; `none` where one was left out.
+  template <class Values, class T>
+  std::vector<T> of_faces(const Values& values, std::size_t count, const T& none) const {
+    std::vector<T> given(count, none);
+    for (const Index f : central_parts()) given[mesh_.input_face(f)] = values[f];
+    return given;
+  }
   /// The edges that make up the edge between two given vertices, in order; empty if there is none.
   std::vector<Index> edges_between(Index a, Index b) const;
 

@@ -120,6 +120,17 @@ std::vector<double> Query::field(std::span<const ExactSource> sources, double ma
   return field_of(*quick_, from, labels);
 }
 
+std::vector<double> Query::field_of_lines(std::span<const ExactSource> sources,
+                                          std::span<const SourceSegment> segments, double max_distance,
+                                          int threads, const Progress& progress) {
+  const ExactLimits limits{.max_distance = max_distance,
+                           .distances_only = true,
+                           .threads = threads > 1 ? threads_for_field(*surface_.mesh(), threads) : 1,
+                           .segments = segments,
+                           .progress = progress ? &progress : nullptr};
+  return field_of(solved(sources, limits), max_distance, nullptr);
+}
+
 std::vector<double> Query::distances(std::span<const ExactSource> sources, const PointList& targets,
                                      double max_distance, AnswerMethod by) {
   std::vector<double> result;
@@ -263,6 +274,10 @@ std::vector<Tangent> Query::gradient(std::span<const ExactSource> sources,
                                                          : Tangent{none, none});
   }
   return found;
+}
+
+Ridge Query::ridge(std::span<const ExactSource> sources, double max_distance, const Progress& progress) {
+  return solved(sources, max_distance, 1, false, progress).ridge();
 }
 
 void Query::exact_paths(const SurfacePoint& source, std::span<const SurfacePoint> targets,

@@ -59,6 +59,10 @@ class Query {
                             int threads, std::vector<Index>* labels = nullptr, const Progress& progress = {});
   /// Of the field that was asked last, by the method exact: see WeightedSolver::expected_error.
   double expected_error() { return solver_ ? solver_->expected_error() : 0.0; }
+  /// The same from segments as well, whose ends are all among the sources: see ExactLimits::segments. Exact.
+  std::vector<double> field_of_lines(std::span<const ExactSource> sources,
+                                     std::span<const SourceSegment> segments, double max_distance,
+                                     int threads, const Progress& progress);
   /// The values of a field at some points. In a face they are interpolated from the corners, but exact where
   /// a source is near (IndexField::distance) or the method is exact.
   std::vector<double> distances(std::span<const ExactSource> sources, const PointList& targets,
@@ -82,6 +86,8 @@ class Query {
   /// Of distances from the nearest of some sources, at all vertices or at some points: see vorogeo::gradient.
   std::vector<Tangent> gradient(std::span<const ExactSource> sources, const std::optional<PointList>& points,
                                 double max_distance, const Progress& progress);
+  /// Of the distance from the nearest of some sources. Exact. \pre The metric jumps nowhere.
+  Ridge ridge(std::span<const ExactSource> sources, double max_distance, const Progress& progress);
   /// Exact paths from one point to many: one propagation serves them all.
   void exact_paths(const SurfacePoint& source, std::span<const SurfacePoint> targets,
                    const std::function<void(std::size_t, ExactPath)>& found);

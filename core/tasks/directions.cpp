@@ -54,11 +54,6 @@ void require_finite(const std::vector<Tangent>& vectors) {
 
 }  // namespace
 
-void require_exact(const TaskOptions& options) {
-  if (options.by != AnswerMethod::index && options.by != AnswerMethod::quick) return;
-  throw InvalidInput("Directions are exact: an index and the quick method have none.");
-}
-
 const ExactGeometry& agreeing_geometry(Surface& surface, const SurfacePoint& point) {
   const auto geometry = surface.geometry();  // which the surface keeps
   require_agreeing_around(*geometry, point);
@@ -84,7 +79,7 @@ std::vector<std::array<Point, 3>> tangent_frames(Surface& surface, const PointLi
 LogMap log_map(Surface& surface, const SurfacePoint& point, const std::optional<PointList>& targets,
                double max_distance, const TaskOptions& options) {
   require_limit(max_distance);
-  require_exact(options);
+  require_exact(options, "Directions are");
   const TangentFrame frame = frames_at(surface, std::vector{point}).front();
   std::optional<PointList> ends;
   if (targets) ends = points_on(*surface.mesh(), *targets, "Target");
@@ -100,7 +95,7 @@ std::vector<Tangent> gradient(Surface& surface, const PointList& sources,
                               const std::optional<PointList>& points, double max_distance,
                               const TaskOptions& options) {
   require_limit(max_distance);
-  require_exact(options);
+  require_exact(options, "Directions are");
   if (sources.empty()) throw InvalidInput("There is no source: give at least one.");
   std::vector<ExactSource> from;
   for (const SurfacePoint& source : points_on(*surface.mesh(), sources, "Source")) {

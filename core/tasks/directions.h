@@ -10,9 +10,6 @@
 
 namespace vorogeo {
 
-/// \throw InvalidInput for `by` an index or the quick method.
-void require_exact(const TaskOptions& options);
-
 /// What angles at a point are read from. \throw InvalidInput in a component where the metric jumps at edges.
 /// \pre The point is on the mesh.
 const ExactGeometry& agreeing_geometry(Surface& surface, const SurfacePoint& point);

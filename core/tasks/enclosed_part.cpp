@@ -13,70 +13,86 @@ namespace vorogeo {
 
 EnclosedPart::EnclosedPart(const Mesh& mesh, CutMesh cut, const std::string& lines)
     : mesh_(mesh), cut_(std::move(cut)) {
-  const auto& line = cut_.lines.front();
-  const auto beside = std::ranges::equal_range(cut_.sides, edge_of(line[0], line[1]), {}, &SideOfFace::ends);
-  side_ = sides_from(cut_.region[beside.front().face]);
-  std::array<double, 2> area{};
-  std::array<bool, 2> is_there{}, has_border{};
-  for (std::size_t f = 0; f < cut_.faces.size(); ++f) {
-    const Index own = side_.empty() ? no_index : side_[cut_.region[f]];
-    if (own == no_index) continue;
-    is_there[own] = true;
-    const auto at = corners(static_cast<Index>(f));
-    area[own] += 0.5 * length_of(cross(minus(at[1], at[0]), minus(at[2], at[0])));
-  }
-  std::set<std::array<Index, 2>> along;
-  for (const auto& [a, b] : cut_.edges) along.insert(edge_of(a, b));
-  bool lines_are_border = true;
-  for_each_edge([&](const std::array<Index, 2>& ends, std::span<const SideOfFace> faces) {
-    const Index own = side_.empty() ? no_index : side_[cut_.region[faces[0].face]];
-    if (along.contains(ends)) {
-      lines_are_border = lines_are_border && faces.size() == 1;
-    } else if (faces.size() == 1 && own != no_index) {
-      has_border[own] = true;
+  const std::vector<Index> side = sides();
+  // By side; two for each component.
+  const std::size_t count = side.empty() ? 0 : 2 * (static_cast<std::size_t>(std::ranges::max(side)) / 2 + 1);
+  std::vector<double> area(count, 0.0);
+  std::vector<bool> is_there(count, false), has_border(count, false), is_inside(count, false);
+  std::vector<bool> lines_are_border(count, true);
+  bool has_inside = count > 0;
+  if (has_inside) {
+    for (std::size_t f = 0; f < cut_.faces.size(); ++f) {
+      const Index own = side[cut_.region[f]];
+      if (own == no_index) continue;
+      is_there[own] = true;
+      const auto at = corners(static_cast<Index>(f));
+      area[own] += 0.5 * length_of(cross(minus(at[1], at[0]), minus(at[2], at[0])));
     }
-  });
-  const bool is_all = is_there[0] && !is_there[1] && lines_are_border;
-  if (!is_there[0] || (!is_there[1] && !is_all)) {
+    std::set<std::array<Index, 2>> along;
+    for (const auto& [a, b] : cut_.edges) along.insert(edge_of(a, b));
+    for_each_edge([&](const std::array<Index, 2>& ends, std::span<const SideOfFace> faces) {
+      const Index own = side[cut_.region[faces[0].face]];
+      if (own == no_index) return;
+      if (along.contains(ends)) {
+        if (faces.size() > 1) lines_are_border[own / 2 * 2] = false;
+      } else if (faces.size() == 1) {
+        has_border[own] = true;
+      }
+    });
+  }
+  for (std::size_t k = 0; k < count; k += 2) {
+    const bool is_all = !is_there[k + 1] && lines_are_border[k];
+    has_inside = has_inside && is_there[k] && (is_there[k + 1] || is_all);
+    const bool is_second = has_border[k] != has_border[k + 1] ? has_border[k] : area[k + 1] < area[k];
+    const std::size_t chosen = !is_all && is_second ? k + 1 : k;
+    is_inside[chosen] = true;
+    area_ += area[chosen];
+  }
+  if (!has_inside) {
     throw InvalidInput(lines +
                        " have the same side left and right, as around a handle or a tube or from border to "
-                       "border, so there is no inside; give points around a part that they can separate.");
+                       "border, so there is no inside; give others, around a part that they can separate.");
   }
-  const bool is_second = has_border[0] != has_border[1] ? has_border[0] : area[1] < area[0];
-  inside_ = !is_all && is_second ? 1 : 0;
-  area_ = area[inside_];
+  for (const Index own : side) is_inside_.push_back(own != no_index && is_inside[own]);
 }
 
-/// By region 0 or 1, so that it changes at every line, from 0 at `start`; no_index where no other leads.
-/// Empty if there is no such numbering.
-std::vector<Index> EnclosedPart::sides_from(Index start) const {
+/// By region a number 2 k or 2 k + 1 for the two sides of the lines in component k of those that have lines, so
+/// that it changes at every line; no_index in the others. Empty if there is no such numbering.
+std::vector<Index> EnclosedPart::sides() const {
   std::map<std::array<Index, 2>, int> passes;
   for (const auto& line : cut_.lines) {
     for (std::size_t k = 0; k + 1 < line.size(); ++k) ++passes[edge_of(line[k], line[k + 1])];
   }
+  const auto faces_beside = [&](const std::array<Index, 2>& ends) {
+    return std::ranges::equal_range(cut_.sides, ends, {}, &SideOfFace::ends);
+  };
   std::vector<std::vector<std::pair<Index, Index>>> beside(
       1 + static_cast<std::size_t>(std::ranges::max(cut_.region)));
   for (const auto& [ends, count] : passes) {
-    const auto faces = std::ranges::equal_range(cut_.sides, ends, {}, &SideOfFace::ends);
-    for (const SideOfFace& f : faces) {
-      for (const SideOfFace& g : faces) {
+    for (const SideOfFace& f : faces_beside(ends)) {
+      for (const SideOfFace& g : faces_beside(ends)) {
         if (f.face != g.face) beside[cut_.region[f.face]].push_back({cut_.region[g.face], count % 2});
       }
     }
   }
   std::vector<Index> side(beside.size(), no_index);
-  std::vector<Index> next{start};
-  side[start] = 0;
-  while (!next.empty()) {
-    const Index region = next.back();
-    next.pop_back();
-    for (const auto& [other, changes] : beside[region]) {
-      const Index wanted = side[region] ^ changes;
-      if (side[other] == no_index) {
-        side[other] = wanted;
-        next.push_back(other);
-      } else if (side[other] != wanted) {
-        return {};
+  Index number = 0;
+  for (const auto& line : cut_.lines) {
+    std::vector<Index> next{cut_.region[faces_beside(edge_of(line[0], line[1])).front().face]};
+    if (side[next[0]] != no_index) continue;
+    side[next[0]] = number;
+    number += 2;
+    while (!next.empty()) {
+      const Index region = next.back();
+      next.pop_back();
+      for (const auto& [other, changes] : beside[region]) {
+        const Index wanted = side[region] ^ changes;
+        if (side[other] == no_index) {
+          side[other] = wanted;
+          next.push_back(other);
+        } else if (side[other] != wanted) {
+          return {};
+        }
       }
     }
   }

@@ -11,8 +11,8 @@
 
 namespace vorogeo {
 
-/// The side of closed lines that has no border of the surface besides them, and if both or none have, the
-/// smaller one. Measures are in the metric of the mesh, which must outlive it.
+/// In each component with closed lines, their side that has no border of the surface besides them, and if both
+/// or none have, the smaller one. Measures are in the metric of the mesh, which must outlive it.
 class EnclosedPart {
  public:
   /// `cut`: along the lines. \throw InvalidInput, in which `lines` names them, where they have one and the
@@ -25,7 +25,7 @@ class EnclosedPart {
   CutMesh take() { return std::move(cut_); }
   double area() const { return area_; }
   /// Of a face of the cut.
-  bool has(Index face) const { return side_[cut_.region[face]] == inside_; }
+  bool has(Index face) const { return is_inside_[cut_.region[face]]; }
   std::array<Point, 3> corners(Index face) const;
   /// Whether a point of the mesh lies inside or, but for rounding, on the lines.
   bool holds(const SurfacePoint& point) const;
@@ -43,12 +43,11 @@ class EnclosedPart {
   }
 
  private:
-  std::vector<Index> sides_from(Index start) const;
+  std::vector<Index> sides() const;
 
   const Mesh& mesh_;
   CutMesh cut_;
-  std::vector<Index> side_;  ///< by region 0 or 1; no_index for other components
-  Index inside_ = 0;
+  std::vector<bool> is_inside_;  ///< by region
   double area_ = 0.0;
 };
 

@@ -350,7 +350,7 @@ Centre descend(Surface& surface, const SurfacePoint& start, const PointList& poi
 
 Centre centre_of(Surface& surface, const PointList& given, std::span<const double> given_weights, Power power,
                  const TaskOptions& options) {
-  require_exact(options);
+  require_exact(options, "Directions are");
   const auto weights = checked_weights(given_weights, given.size());
   const PointList points = joined_points(*surface.mesh(), given, weights);
   std::vector<SurfacePoint> starts, pulling;

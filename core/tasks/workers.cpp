@@ -32,6 +32,11 @@ void report_exact(const TaskOptions& options, const Stopwatch& watch) {
   options.answered->seconds = watch.seconds();
 }
 
+void require_exact(const TaskOptions& options, const std::string& what) {
+  if (options.by != AnswerMethod::index && options.by != AnswerMethod::quick) return;
+  throw InvalidInput(what + " exact: an index and the quick method have none.");
+}
+
 void require_radius(double radius) {
   if (radius >= 0.0) return;
   throw InvalidInput("The radius is " + std::to_string(radius) +

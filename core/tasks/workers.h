@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "mesh/surface_point.h"
@@ -31,6 +32,9 @@ inline double reach_of_regions(double sites) { return std::min(1.0, 4.0 / std::m
 
 /// Notes in `options.answered`, if it is wanted, that a task was answered exactly and without workers.
 void report_exact(const TaskOptions& options, const Stopwatch& watch);
+
+/// Refuses an index and the quick method. `what` begins the sentence: "Directions are". \throw InvalidInput.
+void require_exact(const TaskOptions& options, const std::string& what);
 
 /// \throw InvalidInput for a radius that is negative or NaN.
 void require_radius(double radius);

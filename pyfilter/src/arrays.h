@@ -33,6 +33,7 @@ namespace nb = nanobind;
 template <class T, class Shape>
 using ArrayIn = nb::ndarray<const T, Shape, nb::c_contig, nb::device::cpu>;
 using IdArray = ArrayIn<Index, nb::shape<-1>>;
+using FlagArray = ArrayIn<std::uint8_t, nb::shape<-1>>;
 using EdgeArray = ArrayIn<Index, nb::shape<-1, 2>>;
 using TangentArray = ArrayIn<double, nb::shape<-1, 2>>;
 using FaceArray = ArrayIn<Index, nb::shape<-1, 3>>;

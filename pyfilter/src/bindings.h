@@ -46,7 +46,7 @@ struct HeldSurface {
 
 /// Values at the centres of faces, by row of the faces given; no_index for a face that was left out.
 inline std::vector<Index> by_input_face(const HeldMesh& held, std::span<const Index> of_face) {
-  return InputMap(*held.mesh).of_faces(of_face, held.input_faces);
+  return InputMap(*held.mesh).of_faces(of_face, held.input_faces, no_index);
 }
 
 /// Paths for Python, collected without the GIL: lengths, certified, where the points of each path begin,

@@ -13,7 +13,9 @@
 #include "tasks/clusters.h"
 #include "tasks/curves.h"
 #include "tasks/cut.h"
+#include "tasks/cut_locus.h"
 #include "tasks/directions.h"
+#include "tasks/distance_gradient.h"
 #include "tasks/distance_matrix.h"
 #include "tasks/extent.h"
 #include "tasks/girth.h"
@@ -25,8 +27,10 @@
 #include "tasks/profile.h"
 #include "tasks/region_areas.h"
 #include "tasks/set_distances.h"
+#include "tasks/signed_distance.h"
 #include "tasks/spread_points.h"
 #include "tasks/surface_lines.h"
+#include "tasks/texture.h"
 #include "tasks/voronoi_regions.h"
 
 namespace vorogeo::python {
@@ -196,14 +200,19 @@ auto cut_at_levels_of(const TaskOptions& options, const HeldSurface& held, const
 }
 
 /// `begin`: where each line begins in the list of points, and where the last one ends.
-auto cut_along_lines(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
-                     const IdArray& begin) {
+std::vector<std::vector<SurfacePoint>> lines_of(const HeldSurface& held, const PointArrays& points,
+                                                const IdArray& begin) {
   const PointList all = held.points(points);
   std::vector<std::vector<SurfacePoint>> lines;
   for (std::size_t k = 0; k + 1 < begin.shape(0); ++k) {
     lines.emplace_back(all.begin() + begin(k), all.begin() + begin(k + 1));
   }
-  return cut_out(held, cut_along(held.mesh(), lines, options.progress));
+  return lines;
+}
+
+auto cut_along_lines(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
+                     const IdArray& begin) {
+  return cut_out(held, cut_along(held.mesh(), lines_of(held, points, begin), options.progress));
 }
 
 /// Area, perimeter, corners, angles, curvature, what Gauss-Bonnet leaves, vertices, faces; then the legs as
@@ -375,6 +384,51 @@ auto clusters(const TaskOptions& options, const HeldSurface& held, Index count, 
   return std::tuple(columns_of(held, found.centres), std::move(found.label), std::move(found.energy));
 }
 
+// ---- Sides, derivatives, where paths meet
+
+auto signed_by_lines(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
+                     const IdArray& begin, double max_distance) {
+  auto found = signed_distance(*held.surface, lines_of(held, points, begin), max_distance, options);
+  return std::tuple(InputMap(held.mesh()).of_vertices(std::move(found)));
+}
+
+/// `in_region`: by face that was given.
+auto signed_by_region(const TaskOptions& options, const HeldSurface& held, const FlagArray& in_region,
+                      double max_distance) {
+  auto found = signed_distance(*held.surface, values_of(in_region), max_distance, options);
+  return std::tuple(InputMap(held.mesh()).of_vertices(std::move(found)));
+}
+
+auto distance_gradients(const TaskOptions& options, const HeldSurface& held, const PointArrays& sources,
+                        const PointArrays& targets) {
+  auto found = distance_gradient(*held.surface, {held.points(sources), held.points(targets)}, options);
+  return std::tuple(std::move(found.distance), std::move(found.pair), std::move(found.vertex),
+                    std::move(found.gradient));
+}
+
+/// Positions, edges, distances and angles, then the points.
+auto cut_locus_of(const TaskOptions& options, const HeldSurface& held, const PointArrays& sources,
+                  double min_angle, double max_distance) {
+  auto found = cut_locus(*held.surface, held.points(sources), min_angle, max_distance, options);
+  std::vector<Point> positions;
+  PointColumns columns;
+  for (const SurfacePoint& point : found.points) {
+    positions.push_back(position_of(held.mesh(), point));
+    columns.add(held.mesh(), point);
+  }
+  return std::tuple(std::move(positions), std::move(found.edges), std::move(found.distance),
+                    std::move(found.angle), std::move(columns));
+}
+
+/// Coordinates by vertex, stretch by face that was given.
+auto texture(const TaskOptions& options, const HeldSurface& held, const PointArrays& point, double radius,
+             double rotation, double scale) {
+  auto found = texture_coordinates(*held.surface, held.points(point)[0], {radius, rotation, scale}, options);
+  const InputMap map(held.mesh());
+  return std::tuple(map.of_vertices(std::move(found.coordinates)),
+                    map.of_faces(found.stretch, held.held_mesh.input_faces, no_stretch));
+}
+
 }  // namespace
 
 void bind_tasks(nb::class_<HeldSurface>& surface) {
@@ -416,6 +470,11 @@ void bind_tasks(nb::class_<HeldSurface>& surface) {
   bind_question(surface, "centre", &centre);
   bind_question(surface, "medoid", &medoid_of);
   bind_question(surface, "clusters", &clusters);
+  bind_question(surface, "signed_distance", &signed_by_lines);
+  bind_question(surface, "region_distance", &signed_by_region);
+  bind_question(surface, "distance_gradient", &distance_gradients);
+  bind_question(surface, "cut_locus", &cut_locus_of);
+  bind_question(surface, "texture_coordinates", &texture);
 }
 
 // ---- The class _core.OutputFile: a file that Python maps and that replaces its target when complete

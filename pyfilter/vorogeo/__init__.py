@@ -50,8 +50,10 @@ from .points import SurfacePoints as SurfacePoints
 from .results import Answered as Answered
 from .results import Band as Band
 from .results import Clusters as Clusters
+from .results import CutLocus as CutLocus
 from .results import CutMesh as CutMesh
 from .results import Disk as Disk
+from .results import DistanceGradient as DistanceGradient
 from .results import Extent as Extent
 from .results import FarthestSamples as FarthestSamples
 from .results import GeodesicPath as GeodesicPath
@@ -67,6 +69,7 @@ from .results import RegionArea as RegionArea
 from .results import RelaxedPoints as RelaxedPoints
 from .results import SetDistances as SetDistances
 from .results import SparseDistances as SparseDistances
+from .results import TextureCoordinates as TextureCoordinates
 from .results import VoronoiRegions as VoronoiRegions
 from .surface import GeodesicIndex as GeodesicIndex
 from .surface import Surface as Surface

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _arguments as check
-from . import points as point_lists
 from .errors import InvalidInput
 from .points import Points, Sources, SurfacePoints, surface_points
 from .progress import ProgressFunction
@@ -221,12 +220,6 @@ class Measuring(Tasks):
         rows = self._curve_rows(path)
         return Profile(*self._ask(self._shared.core.profile, rows, *check.direction("up", up), method=None))
 
-    def _one_row(self, name: str, point: Points) -> point_lists.Rows:
-        row = self._rows(name, point)
-        if len(row[0]) != 1:
-            raise InvalidInput(f"{name}: has {len(row[0])} points; give one.")
-        return row
-
     def band(
         self,
         sources: Sources,
@@ -328,16 +321,8 @@ class Measuring(Tasks):
         lines : GeodesicPath or points, or a list of these
             Consecutive points of a line lie on a common face: the points of a path do. Lines may cross.
         """
-        several = isinstance(lines, list) and any(
-            isinstance(line, GeodesicPath) or not point_lists.is_single(line) for line in lines
-        )
-        listed = cast(list[Any], lines if several else [lines])
-        parts = [
-            self._rows(f"lines[{i}]", line.surface_points if isinstance(line, GeodesicPath) else line)
-            for i, line in enumerate(listed)
-        ]
-        begin = np.cumsum([0] + [len(part[0]) for part in parts], dtype=np.int32)
-        return self._cut_mesh(self._shared.core.cut_along, point_lists.joined(parts), begin, progress=progress)
+        chosen = self._line_rows("lines", lines)
+        return self._cut_mesh(self._shared.core.cut_along, *chosen, progress=progress)
 
     def cut_at_levels(
         self,

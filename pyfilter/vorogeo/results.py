@@ -355,3 +355,38 @@ class SetDistances:
     nearest: float = doc("The least of them.")
     mean: float = doc("Of the means of both.")
     hausdorff: float = doc("The greatest of them: the Hausdorff distance along the surface.")
+
+
+@documented
+class DistanceGradient(NamedTuple):
+    """Derivatives of the distances of k pairs by the positions of vertices; those that are not listed are 0."""
+
+    distances: Annotated[NDArray[np.float64], "Shape (k,). Infinity where no path leads."]
+    pairs: Annotated[NDArray[np.int32], "Shape (entries,). Which pair an entry belongs to, ascending."]
+    vertices: Annotated[NDArray[np.int32], "Shape (entries,). Ascending within a pair."]
+    values: Annotated[NDArray[np.float64], "Shape (entries, 3). Of the distance, by the position of the vertex."]
+
+
+@documented
+@dataclass(frozen=True)
+class CutLocus(Polylines):
+    """Where several shortest paths end, as lines."""
+
+    distance: NDArray[np.float64] = doc("Shape (p,). Of each point from the nearest source.")
+    angle: NDArray[np.float64] = doc(
+        "Shape (p,). Between the directions in which shortest paths arrive there, in radians; at a vertex where a line "
+        "begins, what its angles lack to a full turn."
+    )
+    surface_points: SurfacePoints = doc("p points. The same points on faces.")
+
+
+@documented
+class TextureCoordinates(NamedTuple):
+    """Coordinates of a picture laid around a point."""
+
+    uv: Annotated[NDArray[np.float64], "Shape (n, 2). (0.5, 0.5) at the point; NaN beyond the radius."]
+    stretch: Annotated[
+        NDArray[np.float64],
+        "Shape (m, 2). The greatest and the least factor by which the picture is stretched in a face, beyond its "
+        "scale: 1 and 1 where the surface is flat; NaN where a corner has no coordinates.",
+    ]

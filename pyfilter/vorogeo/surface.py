@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _arguments as check
 from . import points as point_lists
+from .directions import Directions
 from .means import Means
 from .measuring import Measuring
 from .mesh_input import MeshInput
@@ -22,7 +23,7 @@ from .tasks import METHODS, Shared, paths_of
 _Kind = TypeVar("_Kind", bound="Surface")
 
 
-class Surface(Measuring, Means):
+class Surface(Measuring, Means, Directions):
     """A triangle mesh for any number of questions: it reads the mesh once and chooses what answers.
 
     The first answers are exact, without an index. When they have taken as long as building one is estimated to take,

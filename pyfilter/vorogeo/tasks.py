@@ -168,8 +168,28 @@ class Tasks:
         """Checked points as the core takes them."""
         return point_lists.rows(name, points, len(self.vertices), least)
 
+    def _one_row(self, name: str, point: Points) -> Rows:
+        row = self._rows(name, point)
+        if len(row[0]) != 1:
+            raise InvalidInput(f"{name}: has {len(row[0])} points; give one.")
+        return row
+
     def _curve_rows(self, curve: Points | GeodesicPath) -> Rows:
         return self._rows("curve", curve.surface_points if isinstance(curve, GeodesicPath) else curve)
+
+    def _line_rows(
+        self, name: str, lines: GeodesicPath | Points | list[GeodesicPath | Points]
+    ) -> tuple[Rows, NDArray[np.int32]]:
+        """The points of one or several lines, and where each begins and the last one ends."""
+        several = isinstance(lines, list) and any(
+            isinstance(line, GeodesicPath) or not point_lists.is_single(line) for line in lines
+        )
+        listed = cast(list[Any], lines if several else [lines])
+        parts = [
+            self._rows(f"{name}[{i}]", line.surface_points if isinstance(line, GeodesicPath) else line)
+            for i, line in enumerate(listed)
+        ]
+        return point_lists.joined(parts), np.cumsum([0] + [len(part[0]) for part in parts], dtype=np.int32)
 
     def _source_rows(self, sources: Sources, list_name: str = "sources") -> tuple[Rows, NDArray[np.int32]]:
         """Sources as points, and for each the position of its source in the list; a curve is one source."""
@@ -563,168 +583,6 @@ class Tasks:
         chosen, limit = self._rows("points", points, least=1), check.integer("rounds", rounds, 0, 2**31 - 1)
         rows, energy = self._ask(self._shared.core.relax, chosen, limit, method=method, progress=progress)
         return RelaxedPoints(rows[0], energy, surface_points(rows))
-
-    def tangent_frames(self, points: Points) -> NDArray[np.float64]:
-        """The frames in which directions at points are given: x axis, y axis and normal, as unit vectors in space.
-
-        At a vertex, the x axis runs along the edge that leaves it in the last face that has the vertex (on a border,
-        along the border edge after which the faces follow), and angles are scaled so that those of the faces sum to
-        2 pi, on a border to pi. In a face, it runs from the first corner to the second. A point on an edge takes the
-        first of the faces there. So frames are those of geometry-central and potpourri3d. Not with a metric, whose
-        angles are not those in space.
-
-        Returns
-        -------
-        ndarray, shape (k, 3, 3)
-            Of each point three rows. The normal of a vertex is the mean of those of its faces, weighted by their
-            angles; its x axis is the sum of all edges, projected along the normal and each turned back by its angle.
-        """
-        (axes,) = self._ask(self._shared.core.tangent_frames, self._rows("points", points), method="exact")
-        frames: NDArray[np.float64] = axes.reshape(-1, 3, 3)
-        return frames
-
-    def log_map(
-        self,
-        point: Points,
-        targets: Points | None = None,
-        max_distance: float | None = None,
-        return_distance: bool = False,
-        progress: ProgressFunction | bool | None = None,
-    ) -> NDArray[np.float64] | tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Where vertices or points lie as seen from a point: vectors in its frame (`tangent_frames`).
-
-        Each has the direction in which the shortest path begins, and its length. Always exact, with an index as well;
-        of several shortest paths, any. Behind a saddle vertex or a border that the path turns at, all points have the
-        direction of that vertex.
-
-        Parameters
-        ----------
-        point : a vertex id, or SurfacePoints with one point
-            Not a vertex whose faces are no fan, on an edge of three faces or more, or in a face without area.
-        targets : k points, optional
-            None for all vertices. Vertices are searched for only as far as they are.
-        max_distance : float, optional
-            Vectors longer than this become NaN; None for no limit.
-        return_distance : bool, default False
-            Whether to return also the lengths of the vectors.
-
-        Returns
-        -------
-        vector : ndarray, shape (n, 2) or (k, 2)
-            NaN where no path leads.
-        distance : ndarray, shape (n,) or (k,)
-            Only if `return_distance`; infinity where no path leads.
-        """
-        source, limit = self._rows("point", point), check.max_distance(max_distance)
-        if len(source[0]) != 1:
-            raise InvalidInput(f"point: has {len(source[0])} points; give one.")
-        ends = None if targets is None else self._rows("targets", targets)
-        vector, distance = self._ask(self._shared.core.log_map, source, ends, limit, method="exact", progress=progress)
-        return (vector, distance) if return_distance else vector
-
-    def gradient(
-        self,
-        sources: Points,
-        points: Points | None = None,
-        max_distance: float | None = None,
-        progress: ProgressFunction | bool | None = None,
-    ) -> NDArray[np.float64]:
-        """The gradient of the distance from the nearest source: which way leads straight away from it.
-
-        At each vertex or point a vector of length 1 in its frame (`tangent_frames`), against the direction in which the
-        shortest path to the source begins: exact, not the slope of a field that is linear in the faces. Where several
-        paths are shortest, of any of them. Always exact, with an index as well.
-
-        Parameters
-        ----------
-        sources : vertex ids, or SurfacePoints
-        points : k points, optional
-            None for all vertices; centres of faces are SurfacePoints.
-        max_distance : float, optional
-            Beyond it there is no gradient; None for no limit.
-
-        Returns
-        -------
-        ndarray, shape (n, 2) or (k, 2)
-            NaN at sources, where no path leads, and at vertices that have no frame; a point without one is refused.
-
-        Notes
-        -----
-        An exact field that keeps its windows, as an exact path does.
-        """
-        ends = None if points is None else self._rows("points", points)
-        limit, rows = check.max_distance(max_distance), self._rows("sources", sources, 1)
-        (vectors,) = self._ask(self._shared.core.gradient, rows, ends, limit, method="exact", progress=progress)
-        found: NDArray[np.float64] = vectors
-        return found
-
-    def transport(self, path: Points | GeodesicPath, vectors: ArrayLike) -> NDArray[np.float64]:
-        """Vectors at the first point of a path, carried along it in parallel to its last point.
-
-        In the faces and over their edges they keep their angle with the path; through a vertex they keep their
-        direction in its frame. Round a closed path they come back turned by the curvature inside.
-
-        Parameters
-        ----------
-        path : GeodesicPath, or k points
-            Of consecutive points, each two share a face.
-        vectors : array_like, shape (2,) or (k, 2)
-            In the frame of the first point (`tangent_frames`).
-
-        Returns
-        -------
-        ndarray, shape (k, 2)
-            In the frame of the last point.
-
-        Notes
-        -----
-        O(points). To many points, take the paths of `path(p, points)`.
-        """
-        rows, along = self._curve_rows(path), check.positions("vectors", vectors, 2)
-        (carried,) = self._ask(self._shared.core.transport, rows, along, method="exact")
-        found: NDArray[np.float64] = carried
-        return found
-
-    def exp_map(
-        self,
-        points: Points,
-        vectors: ArrayLike,
-        at_border: str = "end",
-        return_length: bool = False,
-        progress: ProgressFunction | bool | None = None,
-    ) -> SurfacePoints | tuple[SurfacePoints, NDArray[np.float64]]:
-        """Where straightest lines end that begin at points along vectors in the frames there (`tangent_frames`).
-
-        A line is straight in the faces and over their edges; through a vertex it goes with half of its angle on either
-        side. Vertices whose faces are no fan and edges of three faces or more count as borders. With the vectors of
-        `log_map`, lines lead back to its targets, but for those behind a vertex that the shortest path turns at.
-
-        Parameters
-        ----------
-        points : one point, or k points
-            As for `log_map`.
-        vectors : array_like, shape (2,) or (k, 2)
-            Finite; those of length 0 give the point itself.
-        at_border : {"end", "slide"}
-            Whether lines end at a border, or go on along it, to the side that they lean to.
-        return_length : bool, default False
-            Whether to return also how long the lines are: shorter than their vectors where they ended at a border.
-
-        Returns
-        -------
-        points : SurfacePoints
-            Where the k lines end. Between the borders of a bridged gap, the face is -1.
-        length : ndarray, shape (k,)
-            Only if `return_length`.
-        """
-        rows, along = self._rows("points", points), check.positions("vectors", vectors, 2)
-        slides = check.choice("at_border", at_border, ("end", "slide")) == 1
-        if len(rows[0]) not in (1, len(along)):
-            raise InvalidInput(
-                f"points has {len(rows[0])} points, vectors {len(along)}; give one vector for each, or a single point."
-            )
-        ends, length = self._ask(self._shared.core.exp_map, rows, along, slides, method="exact", progress=progress)
-        return (surface_points(ends), length) if return_length else surface_points(ends)
 
 
 def paths_of(found: Any) -> list[GeodesicPath]:

@@ -177,6 +177,65 @@ TEST(Library, DirectionsAreThoseOnThePaper) {
               1e-12);
 }
 
+TEST(Library, DistancesFromACurveHaveTheSignOfItsSide) {
+  const Sheet sheet(squares);
+  const Surface surface = surface_of(sheet);
+  // A square of five squares' side, and its faces.
+  const std::array<int, 4> corner{sheet.vertex(5, 5), sheet.vertex(10, 5), sheet.vertex(10, 10),
+                                  sheet.vertex(5, 10)};
+  const auto curve = vorogeo::path_through(surface, corner, true).surface_points;
+  const auto distance = vorogeo::signed_distance(surface, {curve});
+  std::vector<bool> region;
+  for (int f = 0; f < surface.face_count(); ++f) {
+    const int i = f / 2 % squares, j = f / 2 / squares;
+    region.push_back(std::min(i, j) >= 5 && std::max(i, j) < 10);
+  }
+  const auto same = vorogeo::signed_distance(surface, region);
+  for (int j = 0; j <= squares; ++j) {
+    for (int i = 0; i <= squares; ++i) {
+      const double x = std::abs(i - 7.5) - 2.5, y = std::abs(j - 7.5) - 2.5;
+      const double expected =
+          std::max(x, y) < 0.0 ? std::max(x, y) : std::hypot(std::max(x, 0.0), std::max(y, 0.0));
+      EXPECT_NEAR(distance[sheet.vertex(i, j)], expected / squares, 1e-7);
+      EXPECT_NEAR(same[sheet.vertex(i, j)], expected / squares, 1e-7);
+    }
+  }
+  EXPECT_EQ(vorogeo::signed_distance(surface, {curve}, {.limit = 0.1})[0], unreachable);
+  EXPECT_THROW(vorogeo::signed_distance(surface, std::vector<bool>{true}), vorogeo::InvalidInput);
+}
+
+TEST(Library, DerivativesCutLociAndTexturesAreThoseOnThePaper) {
+  const Sheet sheet(squares);
+  const Surface surface = surface_of(sheet);
+  const int from = sheet.vertex(2, 3), to = sheet.vertex(14, 8);
+  const auto found = vorogeo::distance_gradient(surface, {from, from}, {to, from});
+  EXPECT_NEAR(found.distance[0], 13.0 / squares, 1e-12);
+  EXPECT_EQ(found.distance[1], 0.0);
+  double scaled = 0.0;
+  for (std::size_t i = 0; i < found.pair.size(); ++i) {
+    EXPECT_EQ(found.pair[i], 0);
+    for (int k = 0; k < 3; ++k) scaled += found.gradient[i][k] * sheet.positions[found.vertex[i]][k];
+    if (found.vertex[i] == to) {
+      EXPECT_NEAR(found.gradient[i][1], 5.0 / 13.0, 1e-9);
+    }
+  }
+  EXPECT_NEAR(scaled, found.distance[0], 1e-12);
+  EXPECT_TRUE(vorogeo::cut_locus(surface, from).edges.empty());
+  const auto ridge = vorogeo::cut_locus(surface, {sheet.vertex(3, 7), sheet.vertex(8, 7)});
+  EXPECT_GT(ridge.edges.size(), 10U);
+  for (std::size_t p = 0; p < ridge.points.size(); ++p) {
+    EXPECT_NEAR(ridge.positions[p][0], std::sqrt(0.75) * 5.5 / squares, 1e-9);
+    EXPECT_EQ(surface.position(ridge.points[p])[0], ridge.positions[p][0]);
+    EXPECT_NEAR(ridge.distance[p], std::hypot(2.5 / squares, ridge.positions[p][1] - 7.0 / squares), 1e-9);
+  }
+  const auto picture = vorogeo::texture_coordinates(surface, to, 0.2, {.scale = 2.0});
+  const int beside = sheet.vertex(12, 9);
+  EXPECT_NEAR(picture.coordinates[beside][0], 0.5 - 2.0 / squares / 0.8, 1e-12);
+  EXPECT_NEAR(picture.coordinates[beside][1], 0.5 + 1.0 / squares / 0.8, 1e-12);
+  EXPECT_TRUE(std::isnan(picture.coordinates[from][0]));
+  EXPECT_EQ(picture.stretch.size(), sheet.faces.size());
+}
+
 TEST(Library, PlacesInSpaceAreSnapped) {
   const Sheet sheet(squares);
   const Surface surface = surface_of(sheet);

@@ -1,5 +1,7 @@
 """Directions with numpy: frames, log maps and traced lines on surfaces that unroll, and what is refused."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 import vorogeo
@@ -252,3 +254,117 @@ def test_metrics_that_jump_are_refused_by_name():
     surface = vorogeo.Surface(vertices, faces, metric=vorogeo.FaceCost(cost))
     with pytest.raises(vorogeo.InvalidInput, match="Directions need edges on whose length both faces agree"):
         surface.log_map(30)
+
+
+def test_a_square_on_a_plane_has_a_signed_distance_and_offsets():
+    vertices, faces = plane_grid(17, 17, 2.0, 2.0)
+    surface = vorogeo.Surface(vertices, faces)
+    at = {tuple(p): i for i, p in enumerate(np.round(vertices[:, :2], 9).tolist())}
+    corners = [at[x, y] for x, y in [(0.5, 0.5), (1.5, 0.5), (1.5, 1.5), (0.5, 1.5)]]
+    curve = surface.path_through(corners, closed=True)
+    found = surface.signed_distance(curve)
+    assert surface.last.by == "exact"
+    off = np.abs(vertices[:, :2] - 1.0) - 0.5
+    expected = np.minimum(off.max(axis=1), 0) + np.linalg.norm(np.maximum(off, 0), axis=1)
+    np.testing.assert_allclose(found, expected, atol=1e-6)
+    np.testing.assert_allclose(surface.signed_distance(curve.surface_points), found, atol=1e-12)
+    np.testing.assert_allclose(surface.signed_distance([curve]), found, atol=1e-12)
+    region = (np.abs(vertices[faces].mean(axis=1)[:, :2] - 1.0) < 0.5).all(axis=1)
+    np.testing.assert_allclose(surface.signed_distance(region), found, atol=1e-12)
+    limited = surface.signed_distance(curve, max_distance=0.25)
+    np.testing.assert_array_equal(np.isinf(limited), np.abs(found) > 0.25)
+    assert np.sign(limited[np.isinf(limited)]).tolist() == np.sign(found[np.isinf(limited)]).tolist()
+    # A square of half the side, whose corners are cut off in their faces.
+    inner = surface.isolines(found, [-0.25], "linear")
+    assert 1.8 < inner.length < 2.0
+    assert np.abs(np.abs(inner.points[:, :2] - 1).max(axis=1) - 0.25).max() < 0.07
+
+
+def test_curves_that_have_no_inside_are_refused():
+    vertices, faces = plane_grid(9, 9, 1.0, 1.0)
+    surface = vorogeo.Surface(vertices, faces)
+    with pytest.raises(vorogeo.InvalidInput, match="Curve 0 is open: it begins at vertex 0"):
+        surface.signed_distance([0, 1, 2])
+    with pytest.raises(vorogeo.InvalidInput, match="cross or touch"):
+        surface.signed_distance([[10, 11, 20, 10], [20, 21, 30, 20]])
+    with pytest.raises(vorogeo.InvalidInput, match="give one for each of the 128 faces"):
+        surface.signed_distance(np.ones(5, dtype=bool))
+    with pytest.raises(vorogeo.InvalidInput, match="no border"):
+        surface.signed_distance(np.ones(128, dtype=bool))
+    with pytest.raises(vorogeo.InvalidInput, match="max_distance"):
+        surface.signed_distance([10, 11, 20, 10], max_distance=-1)
+    tube, around = prism(12, 9, 4.0)
+    ring = vorogeo.Surface(tube, around).signed_distance([*range(36, 48), 36])
+    np.testing.assert_allclose(np.abs(ring), np.abs(tube[:, 2] - tube[36, 2]), atol=1e-6)
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_derivatives_of_distances_are_those_of_finite_differences(seed):
+    vertices, faces = cube()
+    random = np.random.default_rng(seed)
+    surface = vorogeo.Surface(vertices, faces)
+    source = vorogeo.SurfacePoints([0, 3, 6], random.dirichlet([2, 2, 2], 3))
+    target = vorogeo.SurfacePoints([11, 8, 1], random.dirichlet([2, 2, 2], 3))
+    found = surface.distance_gradient(source, target)
+    np.testing.assert_allclose(found.distances, surface.distance(source, target, method="exact"), rtol=1e-12)
+    weights = np.array([1.0, -2.0, 0.5])
+    gradient = np.zeros_like(vertices)
+    np.add.at(gradient, found.vertices, found.values * weights[found.pairs, None])
+    np.testing.assert_allclose(gradient.sum(axis=0), 0, atol=1e-12)
+    np.testing.assert_allclose((gradient * vertices).sum(), weights @ found.distances, rtol=1e-9)
+    way, step = random.normal(size=vertices.shape), 1e-6
+    there, here = (
+        vorogeo.Surface(vertices + side * way, faces).distance(source, target, method="exact") for side in (step, -step)
+    )
+    np.testing.assert_allclose((gradient * way).sum(), weights @ (there - here) / (2 * step), atol=1e-6)
+
+
+def test_the_derivative_can_be_used_in_torch():
+    torch = pytest.importorskip("torch")
+    text = (Path(__file__).parents[2] / "docs" / "directions.md").read_text()
+    recipe = next(block for block in text.split("```python")[1:] if "torch.autograd.Function" in block).split("```")[0]
+    names = {"torch": torch, "np": np, "vorogeo": vorogeo}
+    exec(recipe, names)
+    vertices, faces = cube()
+    at = torch.tensor(vertices, requires_grad=True)
+    names["Distances"].apply(at, faces, [0, 1], [7, 6]).sum().backward()
+    assert torch.isclose((at.grad * at).sum(), torch.tensor(2 * np.sqrt(5.0), dtype=torch.float64))
+
+
+def test_the_cut_locus_of_a_tube_is_the_line_opposite():
+    vertices, faces = prism(12, 9, 4.0)
+    surface = vorogeo.Surface(vertices, faces)
+    point = surface.snap([0.9, 0.1, 1.1])
+    place = point.positions(vertices, faces)[0]
+    locus = surface.cut_locus(point)
+    np.testing.assert_allclose(locus.length, 4.0, atol=1e-9)
+    half = 12 * np.sin(np.pi / 12)
+    np.testing.assert_allclose(locus.distance, np.hypot(half, locus.points[:, 2] - place[2]), atol=1e-9)
+    np.testing.assert_allclose(locus.surface_points.positions(vertices, faces), locus.points, atol=1e-12)
+    assert locus.angle.max() <= np.pi + 1e-12
+    assert len(surface.cut_locus(point, min_angle=3.0).edges) < len(locus.edges)
+    with pytest.raises(vorogeo.InvalidInput, match="from 0 to pi"):
+        surface.cut_locus(point, min_angle=4)
+    with pytest.raises(vorogeo.InvalidInput, match="sources: is empty"):
+        surface.cut_locus([])
+
+
+def test_texture_coordinates_of_a_plane_are_the_picture_itself():
+    vertices, faces = plane_grid(9, 7, 1.6, 1.2)
+    surface = vorogeo.Surface(vertices, faces)
+    uv, stretch = surface.texture_coordinates(30, radius=0.5, rotation=0.4, scale=2)
+    off = vertices - vertices[30]
+    frame = surface.tangent_frames(30)[0]
+    x, y = np.cos(0.4) * frame[0] + np.sin(0.4) * frame[1], np.cos(0.4) * frame[1] - np.sin(0.4) * frame[0]
+    near = np.linalg.norm(off, axis=1) <= 0.5
+    np.testing.assert_allclose(uv[near], 0.5 + np.column_stack([off @ x, off @ y])[near] / 2, atol=1e-12)
+    assert np.isnan(uv[~near]).all()
+    np.testing.assert_allclose(stretch[near[faces].all(axis=1)], 1, atol=1e-7)
+    assert np.isnan(stretch[~near[faces].all(axis=1)]).all()
+    for wrong, message in [
+        ({"radius": 0}, "The radius"),
+        ({"radius": 1, "scale": np.nan}, "scale"),
+        ({"radius": -1}, "radius"),
+    ]:
+        with pytest.raises(vorogeo.InvalidInput, match=message):
+            surface.texture_coordinates(30, **wrong)

@@ -1,0 +1,25 @@
+// The ridge of an exact field: the points that several shortest paths reach.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "exact/exact_solver.h"
+
+namespace vorogeo {
+
+/// Lines over the surface, by points that several of them may share: see ExactSolver::ridge. On an edge, the
+/// places where two waves meet are exact, as the ends of their windows are. In a face, two such places are
+/// joined straight, as the line is unless a path has turned; three and more by way of the point where all
+/// waves meet. A line begins at each vertex whose angles sum to less than a full turn, and may run along an
+/// edge, where its two faces bring equal waves.
+struct Ridge {
+  std::vector<SurfacePoint> points;
+  std::vector<std::array<Index, 2>> edges;
+  std::vector<double> distance;  ///< by point
+  /// By point, between the directions in which shortest paths arrive from two sides of a line, the greatest
+  /// of those of its lines; at most pi. At a vertex where a line begins, what its angles lack to a full turn.
+  std::vector<double> angle;
+};
+
+}  // namespace vorogeo

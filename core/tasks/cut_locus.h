@@ -1,0 +1,20 @@
+// The points that several shortest paths reach, as lines over the surface.
+#pragma once
+
+#include "exact/ridge.h"
+#include "tasks/workers.h"
+
+namespace vorogeo {
+
+/// The ridge of the distance from the nearest of some sources: from one, its cut locus, without which the
+/// surface can be laid out from there; from several, also the borders of their Voronoi regions. Only what is
+/// within max_distance and where directions differ by min_angle or more. On a polyhedron, a line begins at
+/// each convex vertex; where that stands for a smooth surface, the directions along it hardly differ.
+///
+/// Always exact (Ridge). \throw InvalidInput for no source, one that is not on the mesh, an angle that is not
+/// from 0 to pi, a limit below 0, `by` an index or quick, and where a metric jumps at edges; Cancelled.
+/// Complexity: an exact field that keeps its windows.
+Ridge cut_locus(Surface& surface, const PointList& sources, double min_angle, double max_distance,
+                const TaskOptions& options);
+
+}  // namespace vorogeo

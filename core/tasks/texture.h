@@ -1,0 +1,39 @@
+// Texture coordinates of a disk around a point.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "tasks/directions.h"
+
+namespace vorogeo {
+
+/// How a picture is laid onto the surface.
+struct Placement {
+  double radius = 0.0;    ///< of the disk that gets coordinates, in the unit of the surface
+  double rotation = 0.0;  ///< of the picture about the point, in radians, as angles grow in the frame there
+  double scale = 1.0;     ///< of the picture; at 1 its side is twice the radius
+};
+
+struct TextureCoordinates {
+  /// By vertex; the point has (0.5, 0.5). NaN beyond the radius.
+  std::vector<Tangent> coordinates;
+  /// By face of the mesh, the greatest and the least factor by which the picture is stretched there, beyond
+  /// its scale: 1 and 1 where the surface is flat. NaN where a corner has no coordinates or the picture no
+  /// area.
+  std::vector<std::array<double, 2>> stretch;
+};
+
+/// Of faces without coordinates.
+inline constexpr std::array<double, 2> no_stretch{std::numeric_limits<double>::quiet_NaN(),
+                                                  std::numeric_limits<double>::quiet_NaN()};
+
+/// From the logarithmic map: lines through the middle of the picture become shortest paths from the point, of
+/// their true length. Where paths come round different ways (the cut locus), faces are stretched at random.
+/// \throw InvalidInput as log_map(), for a radius or a scale that is not above 0, and a rotation that is not
+/// finite. Complexity: that of the log map.
+TextureCoordinates texture_coordinates(Surface& surface, const SurfacePoint& point,
+                                       const Placement& placement, const TaskOptions& options);
+
+}  // namespace vorogeo

@@ -1,0 +1,79 @@
+// The public interface over the core: distances with a sign, their derivatives, cut loci, texture
+// coordinates.
+#include <optional>
+#include <utility>
+
+#include "public_interface.h"
+
+namespace vorogeo {
+inline namespace v0 {
+
+namespace {
+
+using Lines = std::vector<std::vector<SurfacePoint>>;
+
+std::vector<std::vector<inner::SurfacePoint>> lines_in(const Mesh& mesh, const Lines& lines) {
+  std::vector<std::vector<inner::SurfacePoint>> inside;
+  for (const auto& line : lines) {
+    inside.emplace_back();
+    for (const SurfacePoint& point : line) inside.back().push_back(point_in(mesh, point));
+  }
+  return inside;
+}
+
+}  // namespace
+
+std::vector<double> signed_distance(const Surface& surface, const Lines& curves,
+                                    const SignedDistanceOptions& options) {
+  return ask(surface, TaskOptions{Answer::exact, options.progress}, [&](const Asked& at) {
+    const auto lines = lines_in(at.mesh, curves);
+    return InputMap(at.mesh).of_vertices(
+        inner::signed_distance(at.surface, lines, options.limit, at.options));
+  });
+}
+
+std::vector<double> signed_distance(const Surface& surface, const std::vector<bool>& in_region,
+                                    const SignedDistanceOptions& options) {
+  return ask(surface, TaskOptions{Answer::exact, options.progress}, [&](const Asked& at) {
+    if (in_region.size() != surface.state().face_count) {
+      throw InvalidInput("The region has " + std::to_string(in_region.size()) + " values, but the mesh has " +
+                         std::to_string(surface.state().face_count) + " faces; give one value for each.");
+    }
+    const std::vector<std::uint8_t> flags(in_region.begin(), in_region.end());
+    return InputMap(at.mesh).of_vertices(
+        inner::signed_distance(at.surface, flags, options.limit, at.options));
+  });
+}
+
+DistanceGradient distance_gradient(const Surface& surface, const PointList& from, const PointList& to,
+                                   const TaskOptions& options) {
+  return ask(surface, options, [&](const Asked& at) {
+    auto found = inner::distance_gradient(at.surface, {at.in(from), at.in(to)}, at.options);
+    return DistanceGradient{std::move(found.distance), std::move(found.pair), std::move(found.vertex),
+                            std::move(found.gradient)};
+  });
+}
+
+CutLocus cut_locus(const Surface& surface, const PointList& sources, const CutLocusOptions& options) {
+  return ask(surface, TaskOptions{Answer::exact, options.progress}, [&](const Asked& at) {
+    auto found = inner::cut_locus(at.surface, at.in(sources), options.min_angle, options.limit, at.options);
+    std::vector<Point> positions;
+    for (const auto& point : found.points) positions.push_back(position_of(at.mesh, point));
+    return CutLocus{points_out(at.mesh, found.points), std::move(positions), std::move(found.edges),
+                    std::move(found.distance), std::move(found.angle)};
+  });
+}
+
+TextureCoordinates texture_coordinates(const Surface& surface, const SurfacePoint& point, double radius,
+                                       const TextureOptions& options) {
+  return ask(surface, TaskOptions{Answer::exact, options.progress}, [&](const Asked& at) {
+    auto found = inner::texture_coordinates(at.surface, at.in(point),
+                                            {radius, options.rotation, options.scale}, at.options);
+    const InputMap map(at.mesh);
+    return TextureCoordinates{map.of_vertices(std::move(found.coordinates)),
+                              map.of_faces(found.stretch, surface.state().face_count, no_stretch)};
+  });
+}
+
+}  // namespace v0
+}  // namespace vorogeo
