@@ -128,7 +128,7 @@ std::vector<double> Query::field_of_lines(std::span<const ExactSource> sources,
                            .threads = threads > 1 ? threads_for_field(*surface_.mesh(), threads) : 1,
                            .segments = segments,
                            .progress = progress ? &progress : nullptr};
-  return field_of(solved(sources, limits), max_distance, nullptr);
+  return field_of(solved(sources, limits), Levelled(*surface_.mesh(), sources, max_distance), nullptr);
 }
 
 std::vector<double> Query::distances(std::span<const ExactSource> sources, const PointList& targets,
