@@ -11,8 +11,8 @@
 
 namespace vorogeo {
 
-/// In each component with closed lines, their side that has no border of the surface besides them, and if both
-/// or none have, the smaller one. Measures are in the metric of the mesh, which must outlive it.
+/// In each component with closed lines, their side that has no border of the surface besides them, and if
+/// both or none have, the smaller one. Measures are in the metric of the mesh, which must outlive it.
 class EnclosedPart {
  public:
   /// `cut`: along the lines. \throw InvalidInput, in which `lines` names them, where they have one and the

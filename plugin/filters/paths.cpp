@@ -149,8 +149,8 @@ Results draw_path_through(FilterCall& call) {
 Results draw_tight_curve(FilterCall& call) {
   const auto layer = layer_of(call);
   const TaskPoints curve = curve_in_order(call, *layer);
-  auto [loop, answered, results] =
-      ask_task_by(AnswerMethod::automatic, call, *layer, "Pulling the curve tight", tighten, curve.points, true);
+  auto [loop, answered, results] = ask_task_by(AnswerMethod::automatic, call, *layer,
+                                               "Pulling the curve tight", tighten, curve.points, true);
   call.progress.report(1.0, "Pulling the curve tight");
   results.merge(add_path_layer(call, "Tight curve", *layer->mesh(), loop));
   results["seconds"] = answered.seconds;

@@ -210,8 +210,8 @@ Results cut_along_isolines(FilterCall& call) {
   std::vector<double>& values = levels.values;
   std::ranges::sort(values);
   values.erase(std::ranges::unique(values).begin(), values.end());
-  const CutMesh cut = run_ticking(call.progress, "Cutting along isolines", [&](const Progress&) {
-    return cut_at_levels(*mesh, levels.field, values, levels.interpolation);
+  const CutMesh cut = run_ticking(call.progress, "Cutting along isolines", [&](const Progress& progress) {
+    return cut_at_levels(*mesh, levels.field, values, levels.interpolation, progress);
   });
   // By region; those without a distance come last.
   const auto region_without = static_cast<Index>(values.size()) + 1;
@@ -239,7 +239,7 @@ Results cut_along_curve(FilterCall& call) {
   const TaskPoints curve = curve_in_order(call, *layer);
   const auto cut_by = [&](Surface& surface, const TaskOptions& options) {
     const ExactPath path = path_through(surface, curve.points, false, options);
-    return cut_along(*surface.mesh(), {path.path.points});
+    return cut_along(*surface.mesh(), {path.path.points}, options.progress);
   };
   auto [cut, answered, results] =
       ask_task_by(AnswerMethod::automatic, call, *layer, "Cutting along the curve", cut_by);

@@ -70,9 +70,7 @@ class Directions(Tasks):
         distance : ndarray, shape (n,) or (k,)
             Only if `return_distance`; infinity where no path leads.
         """
-        source, limit = self._rows("point", point), check.max_distance(max_distance)
-        if len(source[0]) != 1:
-            raise InvalidInput(f"point: has {len(source[0])} points; give one.")
+        source, limit = self._one_row("point", point), check.max_distance(max_distance)
         ends = None if targets is None else self._rows("targets", targets)
         vector, distance = self._ask(self._shared.core.log_map, source, ends, limit, method="exact", progress=progress)
         return (vector, distance) if return_distance else vector
