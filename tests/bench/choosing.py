@@ -27,7 +27,7 @@ HEADING = (
 )
 TASKS = "task | mesh | exact | index | automatic with an index | its ratio | automatic before an index | its ratio"
 REPEATS = 3
-LARGEST_FOR_TASKS = 200_000
+LARGEST_FOR_TASKS = 50_000
 
 
 def options(parser: argparse.ArgumentParser) -> None:
