@@ -92,24 +92,41 @@ def in_processes(jobs: list[Job], at_once: int) -> Iterator[tuple[Job, bool, str
                 waiting.cancel()
 
 
-def report(ended: Iterable[tuple[Job, bool, str]], count: int, kept: int, quiet: bool) -> int:
-    """Tell what ended and, at the end, what failed; the exit status."""
+def print_object(command: str, ended: list[tuple[Job, str]], failed: list[tuple[str, str]], kept: int = 0) -> None:
+    """Print what a command with --json tells: of each mesh that ended its values, of each that failed its sentence."""
+    results = [{"mesh": job.mesh, "out": job.out or None, **json.loads(line)} for job, line in ended]
+    failures = [{"mesh": mesh, "error": sentence} for mesh, sentence in failed]
+    print(json.dumps({"command": command, "results": results, "failed": failures, "kept": kept}))
+
+
+def report(ended: Iterable[tuple[Job, bool, str]], count: int, kept: int, quiet: bool, json_of: str = "") -> int:
+    """Tell what ended and, at the end, what failed, as the JSON of a command if one is named; the exit status."""
+    finished: list[tuple[Job, str]] = []
     failed: list[tuple[Job, str]] = []
     bar = _bar(count, quiet)
     for job, succeeded, line in ended:
         if not succeeded:
             failed.append((job, line))
+        elif json_of:
+            finished.append((job, line))
         elif not quiet:
             print(line, flush=True)
         if bar is not None:
             bar.update()
     if bar is not None:
         bar.close()
-    if not quiet:
+    if json_of:
+        print_object(json_of, finished, [(job.mesh, line) for job, line in failed], kept)
+    elif not quiet:
         print(f"{count - len(failed)} done, {kept} kept, {len(failed)} failed")
     for job, line in failed:
         print(f"vorogeo: {line if job.mesh in line else f'{job.mesh}: {line}'}", file=sys.stderr)
     return 1 if failed else 0
+
+
+def cores() -> int:
+    """Cores that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _bar(count: int, quiet: bool):  # type: ignore[no-untyped-def]

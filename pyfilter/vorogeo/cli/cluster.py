@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import tempfile
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
@@ -17,7 +18,7 @@ from ..dask import blocks_of, matrix_rows, write_files
 from ..errors import Error, InvalidInput
 from .job import Job, MeshTask
 from .outputs import format_of
-from .worker import run_in_own_process
+from .worker import run_in_own_process, told
 
 _RETRIES = 3
 _SECONDS = 20  # to reach the scheduler
@@ -84,6 +85,7 @@ def run_one(job: Job, address: str, workers: int) -> str:
 def _matrix_by_rows(job: Job, address: str, workers: int) -> str:
     from distributed import as_completed
 
+    began = time.perf_counter()
     task = MeshTask(job)
     if task.options.get("points"):
         points = task.points("points")
@@ -121,4 +123,5 @@ def _matrix_by_rows(job: Job, address: str, workers: int) -> str:
                 following = submit()
                 if following is not None:
                     finished.add(following)
-    return f"{job.out}: {len(ids)} x {len(ids)} distances, {dtype}, in {len(blocks)} blocks"
+    text = f"{len(ids)} x {len(ids)} distances, {dtype}, in {len(blocks)} blocks"
+    return told(job, text, {"shape": [len(ids), len(ids)], "blocks": len(blocks)}, time.perf_counter() - began)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from typing import Any
 
 import numpy as np
@@ -22,14 +23,15 @@ def field(task: MeshTask) -> Result:
     )
     reached = values[np.isfinite(values)]
     text = f"{reached.size} of {values.size} vertices reached, the farthest at {reached.max(initial=0):.6g}"
-    return Result("distance", {"distance": values}, task.shown_mesh, per_vertex="distance", text=text)
+    summary = {"vertices": values.size, "reached": reached.size, "farthest": reached.max(initial=0)}
+    return Result("distance", {"distance": values}, task.shown_mesh, per_vertex="distance", text=text, summary=summary)
 
 
 def distance(task: MeshTask) -> Result:
     """Distances of pairs; one source may have many targets, or one target many sources."""
     values = task.surface.distances(*_ends(task), progress=task.progress, method=task.method, dtype=task.dtype)
     text = "\n".join(f"{value:.12g}" for value in values.tolist())
-    return Result("distance", {"distance": values}, task.shown_mesh, text=text)
+    return Result("distance", {"distance": values}, task.shown_mesh, text=text, summary={"distance": values})
 
 
 def _ends(task: MeshTask) -> tuple[Any, Any]:
@@ -61,6 +63,7 @@ def _lines(task: MeshTask, paths: list[GeodesicPath]) -> Result:
     joined = np.flatnonzero(arrays["path"][1:] == arrays["path"][:-1])
     text = "\n".join(f"{one.length:.12g}" for one in paths)
     result = Result("points", arrays, task.shown_mesh, lines=(points, np.column_stack([joined, joined + 1])), text=text)
+    result.summary = {name: arrays[name] for name in ("length", "certified")}
     if format_of(task.target) == ".csv":
         columns = [arrays["path"], points, arrays["face"], arrays["barycentric"]]
         result.arrays = {"points": np.column_stack(columns)}
@@ -84,7 +87,8 @@ def matrix(task: MeshTask) -> Result:
         dtype=task.dtype,
     )
     text = f"{values.shape[0]} x {values.shape[1]} distances, {values.dtype}, {values.nbytes / 1e6:.4g} MB"
-    return Result("" if direct else "matrix", {"matrix": values}, task.shown_mesh, text=text)
+    summary = {"shape": values.shape, "bytes": values.nbytes}
+    return Result("" if direct else "matrix", {"matrix": values}, task.shown_mesh, text=text, summary=summary)
 
 
 def neighbours(task: MeshTask) -> Result:
@@ -96,7 +100,7 @@ def neighbours(task: MeshTask) -> Result:
     if not hasattr(found, "tocoo"):
         raise InvalidInput("Sparse matrices are written by scipy; run 'pip install scipy'.")
     text = f"{found.nnz} entries, {found.nnz / max(1, found.shape[0]):.4g} for each point"
-    return Result("distance", {}, task.shown_mesh, sparse=found, text=text)
+    return Result("distance", {}, task.shown_mesh, sparse=found, text=text, summary={"entries": found.nnz})
 
 
 def voronoi(task: MeshTask) -> Result:
@@ -112,7 +116,8 @@ def voronoi(task: MeshTask) -> Result:
         "border_regions": found.border_regions,
     }
     text = f"{len(found.area)} regions, areas {found.area.min():.4g} to {found.area.max():.4g}"
-    return Result("vertex_region", arrays, task.shown_mesh, per_vertex="vertex_region", text=text)
+    summary = {"area": found.area}
+    return Result("vertex_region", arrays, task.shown_mesh, per_vertex="vertex_region", text=text, summary=summary)
 
 
 def sample(task: MeshTask) -> Result:
@@ -122,16 +127,19 @@ def sample(task: MeshTask) -> Result:
         if radius is None:
             raise InvalidInput("--radius: is missing; Poisson-disk sampling needs the least distance of two samples.")
         ids = task.surface.sample_poisson_disk(radius, seed, method=task.method, progress=task.progress)
-        covered = ""
+        radius, covered = None, ""
     else:
         found = task.surface.sample_farthest(
             task.options.get("count"), radius or 0.0, seed=seed, method=task.method, progress=task.progress
         )
-        ids, covered = found.vertices, f", every vertex within {found.covering_radius:.6g} of one"
+        ids, radius = found.vertices, found.covering_radius
+        covered = f", every vertex within {radius:.6g} of one"
     points = task.file_vertices[ids]
     arrays: dict[str, NDArray[Any]] = {"vertex": ids, "points": points}
     none = np.empty((0, 2), np.int32)
-    return Result("vertex", arrays, task.shown_mesh, lines=(points, none), text=f"{len(ids)} samples{covered}")
+    summary = {"vertex": ids, "covering_radius": radius}
+    text = f"{len(ids)} samples{covered}"
+    return Result("vertex", arrays, task.shown_mesh, lines=(points, none), text=text, summary=summary)
 
 
 def through(task: MeshTask) -> Result:
@@ -165,12 +173,13 @@ def girth(task: MeshTask) -> Result:
     found = task.surface.girth(task.points("at"), task.options.get("normal"), progress=task.progress)
     result = _lines(task, [found.section, found.loop])
     result.arrays["tape"] = found.tape.points / task.scale
-    result.text = _table({"section": found.section.length, "tape": found.tape.length, "loop": found.loop.length})
+    return _of_measures(result, {"section": found.section.length, "tape": found.tape.length, "loop": found.loop.length})
+
+
+def _of_measures(result: Result, values: dict[str, float]) -> Result:
+    """The result, which tells these."""
+    result.text, result.summary = "\n".join(f"{name} {value:.12g}" for name, value in values.items()), dict(values)
     return result
-
-
-def _table(values: dict[str, float]) -> str:
-    return "\n".join(f"{name} {value:.12g}" for name, value in values.items())
 
 
 def area(task: MeshTask) -> Result:
@@ -178,7 +187,7 @@ def area(task: MeshTask) -> Result:
     found = task.surface.band(task.points("from"), task.options["radius"], method=task.method, progress=task.progress)
     measures = {"area": found.area, "border_length": found.border_length}
     row = np.array([list(measures.values())])
-    return Result("measures", {"measures": row}, task.shown_mesh, text=_table(measures), columns=list(measures))
+    return _of_measures(Result("measures", {"measures": row}, task.shown_mesh, columns=list(measures)), measures)
 
 
 def polygon(task: MeshTask) -> Result:
@@ -194,8 +203,7 @@ def polygon(task: MeshTask) -> Result:
         "inside_vertices": found.vertices,
         "inside_faces": found.faces,
     }
-    result.text = _table({"area": found.area, "perimeter": found.perimeter})
-    return result
+    return _of_measures(result, {"area": found.area, "perimeter": found.perimeter})
 
 
 def profile(task: MeshTask) -> Result:
@@ -203,7 +211,8 @@ def profile(task: MeshTask) -> Result:
     found = task.surface.profile(_path_through(task), task.options.get("up") or (0.0, 0.0, 1.0))
     text = f"{len(found.length)} points, length {found.length[-1]:.6g}"
     table = {"profile": np.column_stack(found)}
-    return Result("profile", table, task.shown_mesh, text=text, columns=list(found._fields))
+    summary = {"points": len(found.length), "length": found.length[-1]}
+    return Result("profile", table, task.shown_mesh, text=text, summary=summary, columns=list(found._fields))
 
 
 def cut(task: MeshTask) -> Result:
@@ -237,7 +246,8 @@ def cut(task: MeshTask) -> Result:
     if chosen is not None:
         arrays = {name: arrays[name] for name in ("region", "vertices", "faces")}
     text = f"{count} regions, areas {' '.join(f'{one:.6g}' for one in areas)}"
-    return Result("region", arrays, (arrays["vertices"], faces), per_face="region", text=text)
+    shown = arrays["vertices"], faces
+    return Result("region", arrays, shown, per_face="region", text=text, summary={"area": areas})
 
 
 def index(task: MeshTask) -> Result:
@@ -245,20 +255,20 @@ def index(task: MeshTask) -> Result:
     s = task.index.statistics
     made = f"built in {s.seconds:.1f} s" if s.seconds else "was there"
     text = f"{s.form}, {s.bytes / 2**20:.1f} MiB, {made}"
-    return Result("", {}, task.shown_mesh, text=text)
+    return Result("", {}, task.shown_mesh, text=text, summary={"index": asdict(s)})
 
 
 def info(task: MeshTask) -> Result:
     """What the mesh contains, and what its index would be tied to."""
     report = check_mesh(task.vertices, task.faces)
     size = np.ptp(task.vertices, axis=0) if len(task.vertices) else np.zeros(3)
-    lines = [
-        str(report),
-        f"area {surface_area(task.vertices, task.faces):.6g}, size " + " x ".join(f"{s:.4g}" for s in size),
-    ]
+    area = surface_area(task.vertices, task.faces)
+    lines = [str(report), f"area {area:.6g}, size " + " x ".join(f"{s:.4g}" for s in size)]
+    summary = {**asdict(report), "area": area, "size": size}
     if task.options.get("index"):
         lines.append(repr(task.index))
-    return Result("", {}, task.shown_mesh, text="\n".join(lines))
+        summary["index"] = asdict(task.index.statistics)
+    return Result("", {}, task.shown_mesh, text="\n".join(lines), summary=summary)
 
 
 COMMANDS: dict[str, Command] = {

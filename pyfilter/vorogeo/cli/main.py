@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import InvalidInput
-from . import batch
+from . import batch, completion, doctor
 from .job import Job
 from .options import parser
 from .worker import failure, run
@@ -48,11 +48,20 @@ def main(arguments: Sequence[str] | None = None) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
     except Exception as error:
-        print(f"vorogeo: error: {failure(error)}", file=sys.stderr)
+        sentence = failure(error)
+        print(f"vorogeo: error: {sentence}", file=sys.stderr)
+        if given.json:
+            batch.print_object(given.command, [], [(", ".join(given.mesh), sentence)])
         return 1
 
 
 def _run(given: Any) -> int:
+    if given.command == "doctor":
+        doctor.tell(given.json)
+        return 0
+    if given.command == "completion":
+        print(completion.script(given.shell), end="")
+        return 0
     meshes = batch.mesh_files(given.mesh)
     options = {name: value for name, value in vars(given).items() if name not in _NOT_IN_JOBS}
     options["progress"] = not given.quiet
@@ -90,7 +99,9 @@ def _run_one(given: Any, mesh: Path, options: dict[str, Any]) -> int:
         line = cluster.run_one(job, given.scheduler, given.jobs)
     else:
         line = run(job)
-    if not given.quiet or not target:
+    if given.json:
+        batch.print_object(job.command, [(job, line)], [])
+    elif not given.quiet or not target:
         print(line)
     return 0
 
@@ -98,12 +109,11 @@ def _run_one(given: Any, mesh: Path, options: dict[str, Any]) -> int:
 def _run_many(given: Any, meshes: list[Path], options: dict[str, Any]) -> int:
     ending, folder = _ending(given), Path(given.out)
     places = batch.targets(meshes, folder, ending)
-    lasting = {name: value for name, value in options.items() if name not in ("threads", "progress")}
+    lasting = {name: value for name, value in options.items() if name not in ("threads", "progress", "json")}
     batch.prepare_folder(folder, {"command": given.command, "format": ending[1:], **lasting}, given.overwrite)
     options["progress"] = False
     if options.get("threads") is None:
-        cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-        options["threads"] = max(1, cores // given.jobs)
+        options["threads"] = max(1, batch.cores() // given.jobs)
     todo = [mesh for mesh in meshes if given.overwrite or not batch.is_done(mesh, places[mesh])]
     jobs = [Job(given.command, str(mesh), str(places[mesh]), options) for mesh in todo]
     return _report(given, jobs, len(meshes) - len(todo))
@@ -116,4 +126,4 @@ def _report(given: Any, jobs: list[Job], kept: int) -> int:
         ended = cluster.run_many(jobs, given.scheduler, given.jobs)
     else:
         ended = batch.in_processes(jobs, given.jobs)
-    return batch.report(ended, len(jobs), kept, given.quiet)
+    return batch.report(ended, len(jobs), kept, given.quiet, given.command if given.json else "")

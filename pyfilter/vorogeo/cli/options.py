@@ -26,6 +26,11 @@ results
 metrics
   With --metric, --slope-penalty or --curvature-weight, distances, radii and areas are in the unit of that cost.
 
+json
+  With --json, one object on the standard output: "command", "results" (of each mesh "mesh", "out", "seconds" and what
+  would be printed, as numbers), "failed" ("mesh", "error") and "kept", how many were there already. Where no path
+  leads, null. Errors are on the standard error as well.
+
 exit status
   0: all is done; 1: a mesh or a file could not be used; 2: the command line is wrong; 130: interrupted.
 
@@ -33,6 +38,7 @@ examples
   vorogeo field bunny.ply --from 0 --out field.ply
   vorogeo distance bunny.ply --from 0 --to 17 18 19
   vorogeo matrix 'shapes/*.off' --out out/ --dtype float32 --normalise sqrt-area --jobs 2
+  vorogeo distance bunny.ply --from 0 --to 17 --json | jq '.results[0].distance[0]'
   vorogeo girth body.ply --at 0.1,1.2,0 --normal 0,1,0
   vorogeo neighbours lh.midthickness.gii --radius 10 --mask roi.shape.gii --out near.npz
   vorogeo matrix cortex.gii --dtype float32 --scheduler tcp://10.0.0.5:8786 --out cortex.npy"""
@@ -100,6 +106,9 @@ def _option(usage: str, text: str, **how: Any) -> _Option:
     return name, {"help": text, **takes, **({"metavar": word} if word else {}), **how}
 
 
+_JSON = _option(
+    "--json", "one JSON object on the standard output instead of lines; progress and errors stay on the other"
+)
 _SOURCES = _option("--from POINT", "the sources", required=True)
 _PAIRS = (
     _option("--from POINT", "where they begin", required=True),
@@ -271,16 +280,37 @@ _COMMON: _Options = (
     ),
     _option("--overwrite", "compute results again that are already there"),
     _option("--quiet", "print errors only, and no progress"),
+    _JSON,
 )
+
+#: Commands without a mesh, as the others.
+_WITHOUT_MESH: dict[str, tuple[str, str, _Options]] = {
+    "doctor": ("Versions, the filters of PyMeshLab or why they are missing, and the processor.", "", (_JSON,)),
+    "completion": (
+        "The script that completes commands and options in a shell.",
+        "SHELL",
+        (_option("shell", "which", choices=("bash", "zsh", "fish")),),
+    ),
+}
+_ALL = _COMMANDS | _WITHOUT_MESH
+
+
+def options_of(command: str) -> dict[str, dict[str, Any]]:
+    """What the command line takes after a command, by name, as argparse describes it."""
+    own = _ALL[command][2] if command in _WITHOUT_MESH else [*_COMMON, *_ALL[command][2]]
+    return dict(one for option in own for one in (option if isinstance(option, list) else [option]))
+
+
+def commands() -> dict[str, str]:
+    """What each command does."""
+    return {name: text for name, (text, *_) in _ALL.items()}
 
 
 def parser() -> argparse.ArgumentParser:
     """The parser of the whole command line."""
     page = ["Geodesic distances on triangle meshes: lengths of shortest paths over the surface.", ""]
     page += ["commands, each with a page of its own (vorogeo COMMAND --help):"]
-    page += [
-        f"  {name:<12} {text[0].lower()}{text[1:].split(';')[0].rstrip('.')}" for name, (text, *_) in _COMMANDS.items()
-    ]
+    page += [f"  {name:<12} {text[0].lower()}{text[1:].split(';')[0].rstrip('.')}" for name, text in commands().items()]
     whole = _OneLineErrors(
         prog="vorogeo",
         description="\n".join(page),
@@ -289,17 +319,20 @@ def parser() -> argparse.ArgumentParser:
         usage="vorogeo COMMAND MESH... [options]",
     )
     whole.add_argument("--version", action="store_true", help="print the version")
-    commands = whole.add_subparsers(
+    added = whole.add_subparsers(
         dest="command", metavar="COMMAND", prog="vorogeo", help=argparse.SUPPRESS, parser_class=_OneLineErrors
     )
-    for name, (text, needed, own) in _COMMANDS.items():
-        command = commands.add_parser(
+    for name, (text, needed, own) in _ALL.items():
+        alone = name in _WITHOUT_MESH
+        command = added.add_parser(
             name,
-            usage=" ".join(filter(None, [f"vorogeo {name} MESH...", needed, "[options]"])),
+            usage=" ".join(filter(None, [f"vorogeo {name}", "" if alone else "MESH...", needed, "[options]"])),
             description=text,
             epilog="Meshes, points, metrics, results and exit status: vorogeo --help",
         )
-        _add(command, [*_COMMON, *own])
+        _add(command, own if alone else [*_COMMON, *own])
+        if alone:
+            command.set_defaults(mesh=[], json=False)
     return whole
 
 

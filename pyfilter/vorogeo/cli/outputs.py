@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import tempfile
 from collections.abc import Callable, Iterator
@@ -28,7 +29,19 @@ class Result:
     lines: tuple[NDArray[Any], NDArray[Any]] | None = None  # points and edges to write as PLY instead of the mesh
     sparse: Any = None  # a scipy.sparse matrix instead of arrays
     text: str = ""  # what to tell the user
+    summary: dict[str, Any] = field(default_factory=dict)  # and what to tell a program, with --json
     columns: list[str] = field(default_factory=list)
+
+
+def plain(value: Any) -> Any:
+    """What JSON can hold: lists instead of arrays and tuples, null for what is infinite or not a number."""
+    if isinstance(value, (np.ndarray, np.generic)):
+        value = value.tolist()
+    if isinstance(value, dict):
+        return {name: plain(one) for name, one in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [plain(one) for one in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 @contextmanager

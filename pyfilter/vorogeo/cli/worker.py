@@ -12,17 +12,23 @@ from typing import Any
 from ..errors import Error
 from .commands import COMMANDS
 from .job import Job, MeshTask
-from .outputs import write
+from .outputs import plain, write
 
 
 def run(job: Job) -> str:
-    """Compute and write; what to tell the user."""
+    """Compute and write; what `told` makes of it."""
     began = time.perf_counter()
     result = COMMANDS[job.command](MeshTask(job))
     if job.out and result.main:
         write(result, Path(job.out))
-    took = time.perf_counter() - began
-    return f"{job.out}: {result.text.splitlines()[0]}, {took:.1f} s" if job.out else result.text
+    return told(job, result.text, result.summary, time.perf_counter() - began)
+
+
+def told(job: Job, text: str, summary: dict[str, Any], seconds: float) -> str:
+    """What a user is told, or with --json a program: an object in one line."""
+    if job.options.get("json"):
+        return json.dumps({"seconds": seconds, **plain(summary)})
+    return f"{job.out}: {text.splitlines()[0]}, {seconds:.1f} s" if job.out else text
 
 
 def failure(error: BaseException) -> str:
