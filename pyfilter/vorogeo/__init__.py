@@ -29,6 +29,7 @@ from .mesh_check import MeshFinding as MeshFinding
 from .mesh_check import MeshReport as MeshReport
 from .mesh_check import check_mesh as check_mesh
 from .mesh_files import read_mesh as read_mesh
+from .mesh_objects import mesh_arrays as mesh_arrays
 from .metrics import EdgeLengths as EdgeLengths
 from .metrics import FaceCost as FaceCost
 from .metrics import FaceRanders as FaceRanders

@@ -16,11 +16,20 @@ MAX_THREADS = 1024
 _INT32 = np.iinfo(np.int32)
 
 
+def as_numpy(value: Any) -> NDArray[Any]:
+    """An array of any library on the CPU, without a copy where that is possible."""
+    if getattr(value, "requires_grad", False):  # torch refuses what it records gradients of
+        value = value.detach()
+    if hasattr(value, "__dlpack__") and not hasattr(value, "__array__"):
+        return np.from_dlpack(value)
+    return np.asarray(value)
+
+
 def numbers(name: str, value: Any, wanted: str) -> NDArray[Any]:
     """An array of integers, real numbers or bools."""
     try:
-        array = np.asarray(value)
-    except (TypeError, ValueError) as error:
+        array = as_numpy(value)
+    except (TypeError, ValueError, RuntimeError, BufferError) as error:
         raise InvalidInput(f"{name}: cannot be read as an array ({error}); give {wanted}.") from None
     if array.dtype.kind not in "fiub":
         raise InvalidInput(f"{name}: is not an array of numbers (it is {_describe(value, array)}); give {wanted}.")
@@ -81,13 +90,13 @@ def faces(value: ArrayLike, vertex_count: int) -> NDArray[np.int32]:
     if bad.any():
         row = int(np.flatnonzero(bad.any(axis=1))[0])
         vertex = int(array[row][bad[row]][0])
-        raise InvalidInput(f"faces[{row}]: names vertex {vertex}, but {_vertex_range(vertex_count)}.")
+        raise InvalidInput(f"faces[{row}]: names vertex {vertex}, but {vertex_range(vertex_count)}.")
     return np.ascontiguousarray(array, dtype=np.int32)
 
 
 def kept(array: NDArray[Any], given: Any) -> NDArray[Any]:
     """A read-only array that the caller cannot change, even if it is the one given."""
-    own = array.copy() if np.may_share_memory(array, np.asarray(given)) else array
+    own = array.copy() if np.may_share_memory(array, as_numpy(given)) else array
     own.flags.writeable = False
     return own
 
@@ -111,7 +120,8 @@ def _face_array(value: ArrayLike) -> NDArray[Any]:
     return integers("faces", array, wanted)
 
 
-def _vertex_range(vertex_count: int) -> str:
+def vertex_range(vertex_count: int) -> str:
+    """Which vertices there are, for the end of a sentence."""
     if vertex_count == 0:
         return "the mesh has no vertices"
     return f"the mesh has vertices 0 to {vertex_count - 1}"
@@ -130,7 +140,7 @@ def vertex_ids(name: str, value: ArrayLike, vertex_count: int) -> NDArray[np.int
     if bad.any():
         place = "" if array.ndim == 0 else f"[{int(np.flatnonzero(bad)[0])}]"
         vertex = int(array[bad][0])
-        raise InvalidInput(f"{name}{place}: there is no vertex {vertex}; {_vertex_range(vertex_count)}.")
+        raise InvalidInput(f"{name}{place}: there is no vertex {vertex}; {vertex_range(vertex_count)}.")
     return np.ascontiguousarray(array, dtype=np.int32).reshape(-1)
 
 

@@ -7,7 +7,7 @@ import warnings
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import Annotated, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -101,8 +101,8 @@ class GeodesicMethod:
 
     def __init__(
         self,
-        vertices: ArrayLike | None,
-        faces: ArrayLike,
+        vertices: Any,
+        faces: Any = None,
         method: str = "vorogeo",
         *,
         metric: Metric | None = None,
@@ -147,8 +147,8 @@ class GeodesicMethod:
 
 
 def distance_field(
-    vertices: ArrayLike | None,
-    faces: ArrayLike,
+    vertices: Any,
+    faces: Any,
     sources: ArrayLike,
     method: str,
     *,

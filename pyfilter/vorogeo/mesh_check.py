@@ -5,12 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from numpy.typing import ArrayLike
-
 from . import _arguments as check
 from . import _core
 from ._records import doc, documented
 from .mesh_input import gap_limit
+from .mesh_objects import arrays_of
 
 
 @dataclass(frozen=True)
@@ -87,18 +86,19 @@ class MeshReport:
         return "\n".join((self.summary, *self.sentences))
 
 
-def check_mesh(vertices: ArrayLike, faces: ArrayLike, gap: float = 0.0, bridge_folds: bool = False) -> MeshReport:
+def check_mesh(vertices: Any, faces: Any = None, gap: float = 0.0, bridge_folds: bool = False) -> MeshReport:
     """Report on a mesh; bad geometry and bad vertex ids are findings, not errors.
 
     Parameters
     ----------
-    vertices : array_like, shape (n, 3)
-        Positions; may hold NaN and infinity.
-    faces : array_like of int, shape (m, 3)
+    vertices : array_like, shape (n, 3), or a mesh
+        Positions; may hold NaN and infinity. A mesh of another package, as for `mesh_arrays`, is the only argument.
+    faces : array_like of int, shape (m, 3), or polygons
         Vertex ids of the triangles; may be out of range.
     gap, bridge_folds
         As for `Surface`: what bridging would join is reported, too.
     """
+    vertices, faces = arrays_of(vertices, faces)
     found = _core.check_mesh(
         check.vertices(vertices, finite=False), check.unchecked_faces(faces), *gap_limit(gap, bridge_folds)
     )

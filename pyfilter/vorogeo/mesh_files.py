@@ -12,14 +12,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from . import _arguments as check
 from .errors import FileError, InvalidInput
+from .mesh_objects import of_meshio
 from .results import MeshArrays
 
 _FREESURFER = (".white", ".pial", ".inflated", ".sphere", ".orig", ".smoothwm", ".midthickness", ".reg")
-_POLYGONS = {"triangle": 3, "quad": 4, "polygon": None}
 
 
 def read_mesh(file: str | os.PathLike[str]) -> MeshArrays:
@@ -100,11 +99,7 @@ def _read_with_meshio(path: str) -> tuple[Any, Any]:
         raise ValueError("ends before the numbers of vertices and faces")
     with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
         mesh = meshio.read(path)
-    faces = [_fans(np.asarray(block.data)) for block in mesh.cells if block.type in _POLYGONS and len(block.data)]
-    points = np.asarray(mesh.points)
-    if points.ndim == 2 and points.shape[1] == 2:
-        points = np.column_stack([points, np.zeros(len(points))])
-    return points, np.concatenate(faces).astype(np.int32) if faces else np.empty((0, 3), np.int32)
+    return of_meshio(mesh)
 
 
 def _has_second_line(path: str) -> bool:
@@ -112,13 +107,6 @@ def _has_second_line(path: str) -> bool:
     with open(path, "rb") as file:
         next(file, None)
         return any(line.strip() and not line.strip().startswith(b"#") for line in file)
-
-
-def _fans(polygons: NDArray[Any]) -> NDArray[Any]:
-    """Triangles of polygons with equally many corners."""
-    corners = polygons.shape[1]
-    fans = [polygons[:, [0, k, k + 1]] for k in range(1, corners - 1)]
-    return np.stack(fans, axis=1).reshape(-1, 3)
 
 
 def _read_with_pymeshlab(path: str) -> tuple[Any, Any]:

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _arguments as check
 from . import _core
 from .errors import InvalidInput
+from .mesh_objects import arrays_of
 from .metrics import EdgeLengths, Metric, MetricLengths
 
 
@@ -33,14 +34,15 @@ class MeshInput:
     @classmethod
     def read(
         cls,
-        vertices: ArrayLike | None,
-        faces: ArrayLike,
+        vertices: Any,
+        faces: Any,
         mask: ArrayLike | None = None,
         metric: Metric | None = None,
         gap: float | None = 0.0,
         bridge_folds: bool = False,
     ) -> MeshInput:
         """Check the arguments and copy what the caller could change."""
+        vertices, faces = arrays_of(vertices, faces)
         points = check.kept(_positions(vertices, faces, metric), vertices)
         triangles = check.kept(check.faces(faces, len(points)), faces)
         kept = _face_mask(mask, triangles, len(points))
@@ -59,7 +61,7 @@ class MeshInput:
         return _core.read_mesh(self.vertices, self.measured_faces, sides, *self.gap, report)
 
 
-def _positions(vertices: ArrayLike | None, faces: ArrayLike, metric: Any) -> NDArray[np.float64]:
+def _positions(vertices: Any, faces: Any, metric: Any) -> NDArray[np.float64]:
     """Checked positions; all NaN where none are given, which only edge lengths allow."""
     if vertices is not None:
         return check.vertices(vertices)

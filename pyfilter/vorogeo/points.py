@@ -60,6 +60,43 @@ class SurfacePoints:
         rows = zip(_face_ids("faces", self.faces).tolist(), np.atleast_2d(self.barycentric).tolist(), strict=True)
         return "; ".join(" ".join(map(repr, (face, *weights))) for face, weights in rows)
 
+    def to_sparse(self, faces: ArrayLike, vertex_count: int) -> Any:
+        """The weights as a ``scipy.sparse`` matrix of shape (k, n), by which values of vertices become those of points.
+
+        `faces` are those of the surface.
+        """
+        from scipy.sparse import csr_matrix
+
+        corners = np.asarray(faces)[_face_ids("faces", self.faces)]
+        rows = np.repeat(np.arange(len(corners)), 3)
+        weights = np.atleast_2d(self.barycentric).ravel()
+        return csr_matrix((weights, (rows, corners.ravel())), shape=(len(corners), vertex_count))
+
+    @classmethod
+    def from_sparse(cls, weights: Any, faces: ArrayLike) -> SurfacePoints:
+        """The points of a ``scipy.sparse`` matrix of shape (k, n), whose rows weigh up to three vertices of a face."""
+        from scipy.sparse import csr_matrix
+
+        matrix, triangles = csr_matrix(weights, copy=True), np.asarray(faces)
+        matrix.eliminate_zeros()
+        rows = np.repeat(np.arange(len(triangles)), 3)
+        corner_of = csr_matrix((np.ones(rows.size), (rows, triangles.ravel())), shape=(len(triangles), matrix.shape[1]))
+        corner_of.data[:] = 1  # also of a face that names a vertex twice
+        common = csr_matrix(
+            csr_matrix((np.ones(matrix.nnz), matrix.indices, matrix.indptr), matrix.shape) @ corner_of.T
+        )
+        point = np.repeat(np.arange(matrix.shape[0]), np.diff(common.indptr))
+        whole = common.data == np.diff(matrix.indptr)[point]
+        found, first = np.unique(point[whole], return_index=True)
+        if len(found) < matrix.shape[0]:
+            row = int(np.setdiff1d(np.arange(matrix.shape[0]), found)[0])
+            raise InvalidInput(
+                f"weights[{row}]: weighs vertices {matrix[row].indices.tolist()}, which are not corners of one face; "
+                "give up to three that are, with sum 1."
+            )
+        chosen = common.indices[whole][first].astype(np.int32)
+        return cls(chosen, matrix[np.arange(len(chosen))[:, None], triangles[chosen]].toarray())
+
 
 @dataclass(frozen=True, eq=False)
 class EdgeCurve:

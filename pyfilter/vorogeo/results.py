@@ -13,6 +13,13 @@ from ._records import doc, documented
 from .points import SurfacePoints
 
 
+def pyvista_mesh(vertices: Any, faces: Any) -> Any:
+    """Triangles as a ``pyvista.PolyData``."""
+    import pyvista
+
+    return pyvista.PolyData.from_regular_faces(vertices, faces)
+
+
 @documented
 @dataclass(frozen=True)
 class Polylines:
@@ -129,6 +136,12 @@ class CutMesh:
         "Shape (j,). 1 to the left of a line, as most faces are turned, -1 to the right, 0 beside none or both."
     )
 
+    def to_pyvista(self) -> Any:
+        """The mesh as a ``pyvista.PolyData`` with the region of each face; needs PyVista."""
+        mesh = pyvista_mesh(self.vertices, self.faces)
+        mesh["region"] = self.region
+        return mesh
+
     def part(self, region: int) -> tuple[NDArray[np.float64], NDArray[np.int32], NDArray[np.int32]]:
         """The vertices and faces of a region, and which vertices of the cut mesh they are."""
         kept, faces = np.unique(self.faces[self.region == region], return_inverse=True)
@@ -243,9 +256,9 @@ class Answered(NamedTuple):
 
 @documented
 class MeshArrays(NamedTuple):
-    """A mesh read from a file: ``Surface(*mesh)``, or ``vertices, faces = mesh``."""
+    """A mesh as arrays: ``Surface(*mesh)``, or ``vertices, faces = mesh``."""
 
-    vertices: Annotated[NDArray[np.float64], "Shape (n, 3). Positions, in the order of the file."]
+    vertices: Annotated[NDArray[np.float64], "Shape (n, 3). Positions, in the order of the file or of the mesh."]
     faces: Annotated[NDArray[np.int32], "Shape (m, 3). Vertex ids of the triangles."]
 
 

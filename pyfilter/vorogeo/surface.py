@@ -17,7 +17,7 @@ from .mesh_input import MeshInput
 from .metrics import Metric
 from .points import Points, Sources
 from .progress import ProgressFunction, reporter
-from .results import Answered, GeodesicPath, IndexEstimate, IndexStatistics
+from .results import Answered, GeodesicPath, IndexEstimate, IndexStatistics, pyvista_mesh
 from .tasks import METHODS, Shared, paths_of
 
 _Kind = TypeVar("_Kind", bound="Surface")
@@ -33,10 +33,11 @@ class Surface(Measuring, Means, Directions):
 
     Parameters
     ----------
-    vertices : array_like, shape (n, 3)
-        Finite positions; any real type and layout. None is possible with the metric `EdgeLengths`.
-    faces : array_like of int, shape (m, 3)
-        Vertex ids of the triangles, 0 to n - 1.
+    vertices : array_like, shape (n, 3), or a mesh
+        Finite positions; any real type and layout. None is possible with the metric `EdgeLengths`. A mesh of another
+        package, as for `mesh_arrays`, is the only argument: `Surface(mesh)`.
+    faces : array_like of int, shape (m, 3), or polygons
+        Vertex ids of the triangles, 0 to n - 1; or of quads or polygons, which `mesh_arrays` divides.
     threads : int, optional
         Threads of each answer and of the build of an index; None is one per core. What the index answers does not
         depend on it; exact fields may differ in their last digits. Reading the mesh takes all cores in any case.
@@ -93,8 +94,8 @@ class Surface(Measuring, Means, Directions):
 
     def __init__(
         self,
-        vertices: ArrayLike | None,
-        faces: ArrayLike,
+        vertices: Any,
+        faces: Any = None,
         threads: int | None = None,
         memory_budget: int | None = None,
         mask: ArrayLike | None = None,
@@ -120,6 +121,17 @@ class Surface(Measuring, Means, Directions):
     def index(self) -> GeodesicIndex | None:
         """The index, once there is one: the same surface, as a `GeodesicIndex`, which can be saved."""
         return GeodesicIndex.of(self._shared) if self._shared.core.has_index() else None
+
+    def to_pyvista(self, **values: ArrayLike) -> Any:
+        """The surface as a ``pyvista.PolyData``, with values of vertices or of faces by their names; needs PyVista.
+
+        `surface.to_pyvista(distance=field).plot()` draws a field. Infinity becomes NaN, which is drawn without colour.
+        """
+        mesh = pyvista_mesh(self.vertices, self.faces)
+        for name, value in values.items():
+            array = check.numbers(name, value, "a number for each vertex or face")
+            mesh[name] = np.where(np.isinf(array), np.nan, array) if array.dtype.kind == "f" else array
+        return mesh
 
     def build_index(self, progress: ProgressFunction | bool | None = None) -> GeodesicIndex:
         """Build the index now, if there is none; errors are those of `GeodesicIndex`."""
@@ -368,8 +380,8 @@ class GeodesicIndex(Surface):
 
     def __init__(
         self,
-        vertices: ArrayLike | None,
-        faces: ArrayLike,
+        vertices: Any,
+        faces: Any = None,
         patches: tuple[int, int] | None = None,
         delta: float = 0.0,
         threads: int | None = None,
@@ -396,8 +408,8 @@ class GeodesicIndex(Surface):
     def load(
         cls,
         file: str | os.PathLike[str],
-        vertices: ArrayLike | None,
-        faces: ArrayLike,
+        vertices: Any,
+        faces: Any = None,
         threads: int | None = None,
         mask: ArrayLike | None = None,
         metric: Metric | None = None,
@@ -464,8 +476,8 @@ class GeodesicIndex(Surface):
 
 
 def exact_distance_field(
-    vertices: ArrayLike | None,
-    faces: ArrayLike,
+    vertices: Any,
+    faces: Any,
     sources: ArrayLike,
     max_distance: float | None = None,
     dtype: DTypeLike = np.float64,
@@ -504,8 +516,8 @@ def exact_distance_field(
 
 
 def exact_path(
-    vertices: ArrayLike | None,
-    faces: ArrayLike,
+    vertices: Any,
+    faces: Any,
     source: Points,
     target: Points,
     metric: Metric | None = None,
@@ -539,8 +551,8 @@ def exact_path(
 
 
 def estimate(
-    vertices: ArrayLike | None,
-    faces: ArrayLike,
+    vertices: Any,
+    faces: Any = None,
     threads: int | None = None,
     memory_budget: int | None = None,
     mask: ArrayLike | None = None,

@@ -40,7 +40,15 @@ def meshes() -> dict[str, tuple[Any, Any, str]]:
         "a negative vertex": (vertices, negative, r"faces\[5\]: names vertex -1"),
         "a vertex beyond 32 bits": (vertices, huge, r"faces\[5\]: names vertex 4294967296"),
         "edges": (vertices, faces[:, :2], r"faces: has shape \(\d+, 2\)"),
-        "quads": (vertices, faces[:2].reshape(1, 6)[:, :4], "faces: has shape"),
+        "rows of five": (vertices, faces[:2].reshape(1, 6)[:, :5], "faces: has shape"),
+        "rows of VTK": (vertices, np.insert(faces, 0, 3, axis=1), "faces: each row begins with 3, as in VTK"),
+        "polygons and a side": (vertices, [*faces.tolist(), [0, 1]], rf"faces\[{len(faces)}\]: has 2 corners"),
+        "a quad beyond": (
+            vertices,
+            [[0, 1, 2], [3, 4, COUNT, 5]],
+            rf"faces\[1\]: names vertex {COUNT}, but the mesh has",
+        ),
+        "no faces": (vertices, None, "faces: is missing, and the only argument is a ndarray; give vertices and faces"),
         "faces that are true or false": (vertices, faces > 0, "faces: has type bool, not integer"),
         "faces that are real": (vertices, faces + 0.5, "faces: has type float64"),
     }
