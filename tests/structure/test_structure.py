@@ -135,8 +135,9 @@ def test_lines_of_pages_are_not_wider_than_a_page() -> None:
 
 def test_links_of_pages_lead_somewhere() -> None:
     found = {}
+    link = re.compile(r"(?:\]\(|^\[\w+\]: )([^)#:\s]*)(#([^)\s]*))?(?:\)|$)", flags=re.MULTILINE)  # here, or at the end
     for page in tree.pages():
-        for target, _, heading in re.findall(r"\]\(([^)#:\s]*)(#([^)\s]*))?\)", (tree.PROJECT / page).read_text()):
+        for target, _, heading in link.findall((tree.PROJECT / page).read_text()):
             file = tree.PROJECT / page.parent / target if target else tree.PROJECT / page
             if not file.exists():
                 found[f"{page} -> {target}"] = "is not there"
