@@ -3,23 +3,35 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace vorogeo {
 
+// ---- Points, sides and parts
+
 FaceDivision::FaceDivision(const std::vector<std::pair<Index, Weights>>& outline, Numbering number_of)
     : number_of_(std::move(number_of)) {
-  parts_.emplace_back();
-  for (const auto& [point, weights] : outline) {
-    place_[point] = {weights[1], weights[2]};
-    parts_.front().push_back(point);
+  for (const auto& [number, weights] : outline) {
+    const Index point = new_point(number, {weights[1], weights[2]});
+    points_[point].side = new_side(point);
+    link(points_[point].side, 0);
+    if (point > 0) link(points_[point].side - 1, points_[point].side);
   }
 }
 
-double FaceDivision::side_of(Index a, Index b, Index c) const {
-  const Place& p = place_.at(a);
-  const Place to_b{place_.at(b)[0] - p[0], place_.at(b)[1] - p[1]};
-  const Place to_c{place_.at(c)[0] - p[0], place_.at(c)[1] - p[1]};
+Index FaceDivision::new_point(Index number, const Place& place) {
+  points_.push_back({number, place, no_index});
+  point_of_[number] = static_cast<Index>(points_.size()) - 1;
+  return static_cast<Index>(points_.size()) - 1;
+}
+
+Index FaceDivision::new_side(Index from) {
+  sides_.push_back({from, no_index, no_index, no_index});
+  return static_cast<Index>(sides_.size()) - 1;
+}
+
+double FaceDivision::side_of(const Place& a, const Place& b, const Place& c) {
+  const Place to_b{b[0] - a[0], b[1] - a[1]};
+  const Place to_c{c[0] - a[0], c[1] - a[1]};
   const double side = to_b[0] * to_c[1] - to_b[1] * to_c[0];
   const double b_length = std::hypot(to_b[0], to_b[1]);
   const double c_length = std::hypot(to_c[0], to_c[1]);
@@ -28,180 +40,261 @@ double FaceDivision::side_of(Index a, Index b, Index c) const {
   return std::abs(side) <= rounding ? 0.0 : side;
 }
 
-double FaceDivision::area_of(const Part& part) const {
-  double twice = 0.0;
-  const Place& first = place_.at(part.front());
-  for (std::size_t i = 0; i < part.size(); ++i) {
-    const Place& p = place_.at(part[i]);
-    const Place& q = place_.at(part[(i + 1) % part.size()]);
-    twice += (p[0] - first[0]) * (q[1] - first[1]) - (p[1] - first[1]) * (q[0] - first[0]);
+/// Calls visit(side that leaves the point) for each part at it, counter-clockwise, until that returns true.
+template <class Visit>
+void FaceDivision::for_each_part_at(Index point, Visit&& visit) const {
+  const Index first = points_[point].side;
+  for (Index side = first; side != no_index;) {
+    // Of a side on the outline none is beside; so the turn ends there, or where it began.
+    const Index following = sides_[sides_[side].previous].beside;
+    if (visit(side) || following == first) return;
+    side = following;
   }
-  return 0.5 * twice;
 }
 
 /// In the parts on both sides of it.
-void FaceDivision::insert_into_side(Index a, Index b, Index point) {
-  for (Part& part : parts_) {
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      const std::size_t next = (i + 1) % part.size();
-      if (std::minmax(part[i], part[next]) != std::minmax(a, b)) continue;
-      part.insert(part.begin() + static_cast<std::ptrdiff_t>(i) + 1, point);
-      break;
-    }
-  }
+void FaceDivision::insert_into_side(Index side, Index point) {
+  const Index beside = sides_[side].beside;
+  const Index rest = new_side(point);
+  link(rest, sides_[side].next);
+  link(side, rest);
+  points_[point].side = rest;
+  if (beside == no_index) return;
+  const Index back = new_side(point);
+  link(back, sides_[beside].next);
+  link(beside, back);
+  pair(side, back);
+  pair(beside, rest);
 }
 
-void FaceDivision::add_point(Index point, const Weights& weights) {
-  if (!place_.try_emplace(point, Place{weights[1], weights[2]}).second) return;
-  for (std::size_t k = 0; k < parts_.size(); ++k) {
-    const Part& part = parts_[k];
-    std::vector<std::size_t> on_sides;
-    bool is_inside = true;
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      const double side = side_of(part[i], part[(i + 1) % part.size()], point);
-      is_inside = is_inside && side >= 0.0;
-      if (side == 0.0) on_sides.push_back(i);
+/// A part by a line between the points that two of its sides leave.
+void FaceDivision::split(Index side, Index other) {
+  const Index before = sides_[side].previous, before_other = sides_[other].previous;
+  const Index line = new_side(sides_[side].from), back = new_side(sides_[other].from);
+  link(before, line);
+  link(line, other);
+  link(before_other, back);
+  link(back, side);
+  pair(line, back);
+}
+
+// ---- Points inside
+
+/// \return whether no side of the part, but those of the outline, has the place to its right. Otherwise the
+/// side that has.
+bool FaceDivision::is_in_part(Index part, const Place& place, Index* way_out) const {
+  Index side = part;
+  do {
+    const bool is_right = side_of(points_[sides_[side].from].place, points_[head(side)].place, place) < 0.0;
+    if (is_right && sides_[side].beside != no_index) {
+      *way_out = side;
+      return false;
     }
-    if (!is_inside) continue;
-    if (!on_sides.empty()) {
-      // Of several sides on one line, the one that it lies in.
-      const auto outside = [&](std::size_t i) {
-        const Place& p = place_.at(part[i]);
-        const Place& q = place_.at(part[(i + 1) % part.size()]);
-        const Place& x = place_.at(point);
-        return std::hypot(p[0] - x[0], p[1] - x[1]) + std::hypot(q[0] - x[0], q[1] - x[1]) -
-               std::hypot(p[0] - q[0], p[1] - q[1]);
-      };
-      const std::size_t i = *std::ranges::min_element(on_sides, {}, outside);
-      const auto [a, b] = std::pair(part[i], part[(i + 1) % part.size()]);
-      insert_into_side(a, b, point);
-      return;
+    side = sides_[side].next;
+  } while (side != part);
+  return true;
+}
+
+/// A side of the part that a place lies in.
+Index FaceDivision::part_with(const Place& place) {
+  Index way_out = no_index;
+  for (std::size_t steps = 0; steps < sides_.size(); ++steps) {
+    if (is_in_part(last_, place, &way_out)) return last_;
+    last_ = sides_[way_out].beside;
+  }
+  // Rounding has led in a circle.
+  for (Index side = 0; side < static_cast<Index>(sides_.size()); ++side) {
+    if (is_in_part(side, place, &way_out)) return side;
+  }
+  return last_;
+}
+
+/// Of several sides on one line, the one that the place lies in; no_index if it lies in none.
+Index FaceDivision::nearest_side(Index part, const Place& place) const {
+  Index nearest = no_index, side = part;
+  double least = 0.0;
+  do {
+    const Place &p = points_[sides_[side].from].place, &q = points_[head(side)].place;
+    const double outside = std::hypot(p[0] - place[0], p[1] - place[1]) +
+                           std::hypot(q[0] - place[0], q[1] - place[1]) -
+                           std::hypot(p[0] - q[0], p[1] - q[1]);
+    if (side_of(p, q, place) <= 0.0 && (nearest == no_index || outside < least)) {
+      nearest = side;
+      least = outside;
     }
-    const Part whole = part;
-    parts_.erase(parts_.begin() + static_cast<std::ptrdiff_t>(k));
-    for (std::size_t i = 0; i < whole.size(); ++i) {
-      parts_.push_back({point, whole[i], whole[(i + 1) % whole.size()]});
-    }
+    side = sides_[side].next;
+  } while (side != part);
+  return nearest;
+}
+
+void FaceDivision::add_point(Index number, const Weights& weights) {
+  if (point_of_.contains(number)) return;
+  const Place place{weights[1], weights[2]};
+  const Index part = part_with(place);
+  const Index on_side = nearest_side(part, place);
+  const Index point = new_point(number, place);
+  if (on_side != no_index) {
+    insert_into_side(on_side, point);
     return;
   }
+  std::vector<Index> around;
+  Index side = part;
+  do {
+    around.push_back(side);
+    side = sides_[side].next;
+  } while (side != part);
+  // The sides to and from the new point: triangle i is from it, along the side i, and back.
+  std::vector<Index> out, back;
+  for (const Index one : around) {
+    out.push_back(new_side(point));
+    back.push_back(new_side(sides_[one].from));
+    pair(out.back(), back.back());
+  }
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    const std::size_t next = (i + 1) % around.size();
+    link(out[i], around[i]);
+    link(around[i], back[next]);
+    link(back[next], out[i]);
+  }
+  points_[point].side = last_ = out[0];
 }
 
-/// By a line between its points i and j.
-void FaceDivision::split(std::size_t part, std::size_t i, std::size_t j) {
-  if (i > j) std::swap(i, j);
-  Part& whole = parts_[part];
-  Part second(whole.begin() + static_cast<std::ptrdiff_t>(i),
-              whole.begin() + static_cast<std::ptrdiff_t>(j) + 1);
-  whole.erase(whole.begin() + static_cast<std::ptrdiff_t>(i) + 1,
-              whole.begin() + static_cast<std::ptrdiff_t>(j));
-  parts_.push_back(std::move(second));
-}
+// ---- Lines
 
 std::vector<Index> FaceDivision::add_line(Index from, Index to) {
   std::vector<Index> passed{from};
-  const std::size_t enough = 4 * place_.size() + 100;
-  while (passed.back() != to && passed.size() < enough) {
-    const Index next = step(passed.back(), to);
-    if (next == no_index) break;
-    passed.push_back(next);
+  const Index end = point_of_.at(to);
+  const std::size_t enough = 4 * points_.size() + 100;
+  Index here = point_of_.at(from);
+  while (here != end && passed.size() < enough) {
+    here = step(here, end);
+    if (here == no_index) break;
+    passed.push_back(points_[here].number);
   }
   return passed;
 }
 
 /// The next point of the line from a point that is there; no_index if there is none.
-Index FaceDivision::step(Index from, Index to) {
-  const Place& p = place_.at(from);
-  const Place way{place_.at(to)[0] - p[0], place_.at(to)[1] - p[1]};
+Index FaceDivision::step(Index from, Index end) {
+  const Place& p = points_[from].place;
+  const Place way{points_[end].place[0] - p[0], points_[end].place[1] - p[1]};
   const auto is_on_the_way = [&](Index point) {
-    const Place& q = place_.at(point);
-    return side_of(from, to, point) == 0.0 && (q[0] - p[0]) * way[0] + (q[1] - p[1]) * way[1] > 0.0;
+    const Place& q = points_[point].place;
+    return side_of(from, end, point) == 0.0 && (q[0] - p[0]) * way[0] + (q[1] - p[1]) * way[1] > 0.0;
   };
-  struct Found {
-    std::size_t part;
-    std::size_t corner;
-  };
-  std::vector<Found> around;
-  for (std::size_t k = 0; k < parts_.size(); ++k) {
-    const auto at = std::ranges::find(parts_[k], from);
-    if (at != parts_[k].end()) around.push_back({k, static_cast<std::size_t>(at - parts_[k].begin())});
-  }
   // Along a side that is there.
-  for (const auto& [k, i] : around) {
-    const std::size_t size = parts_[k].size();
-    for (const Index beside : {parts_[k][(i + 1) % size], parts_[k][(i + size - 1) % size]}) {
-      if (beside == to || is_on_the_way(beside)) return beside;
+  Index next = no_index;
+  for_each_part_at(from, [&](Index side) {
+    for (const Index beside : {head(side), sides_[sides_[side].previous].from}) {
+      if (next == no_index && (beside == end || is_on_the_way(beside))) next = beside;
     }
-  }
-  for (const auto& [k, i] : around) {
-    const Index next = cross_part(k, i, to);
+    return next != no_index;
+  });
+  if (next != no_index) return next;
+  // Through the part that it leads into.
+  std::vector<Index> leaving;
+  for_each_part_at(from, [&](Index side) {
+    if (side_of(from, head(side), end) >= 0.0 &&
+        side_of(from, sides_[sides_[side].previous].from, end) <= 0.0) {
+      leaving.push_back(side);
+    }
+    return false;
+  });
+  for (const Index side : leaving) {
+    next = cross_part(side, end);
     if (next != no_index) return next;
   }
   return no_index;
 }
 
-/// Splits a part by a line from one of its corners, if it runs inside. \return where it leaves the part.
-Index FaceDivision::cross_part(std::size_t k, std::size_t corner, Index to) {
-  const std::size_t size = parts_[k].size();
-  const Index from = parts_[k][corner];
-  for (std::size_t step = 1; step + 1 < size; ++step) {
-    const std::size_t i = (corner + step) % size;
-    const std::size_t j = (i + 1) % size;
-    const Index u = parts_[k][i];
-    const Index v = parts_[k][j];
-    if (u == to) {
-      split(k, corner, i);
-      return u;
+/// Splits a part by a line from the point that one of its sides leaves, if it runs inside. It is looked for
+/// from both ends, so that cutting off few points takes few steps. \return where it leaves the part.
+Index FaceDivision::cross_part(Index side, Index end) {
+  const Index from = sides_[side].from;
+  // Sides that leave the points passed: to the right of the line from the front, to its left from the back.
+  Index front = sides_[side].next, back = sides_[side].previous;
+  Index way_out = no_index;
+  while (way_out == no_index) {
+    for (const Index ahead : {front, back}) {
+      if (sides_[ahead].from != end) continue;
+      split(side, ahead);
+      return end;
     }
-    const double at_u = side_of(from, to, u);
-    const double at_v = side_of(from, to, v);
-    // The way out goes between a point to the right and one to the left.
-    if (at_u < 0.0 && at_v == 0.0 && v != from && v != to && step + 2 < size) {
-      split(k, corner, j);
-      return v;
+    if (front == back) return no_index;
+    const Index after = sides_[front].next, before = sides_[back].previous;
+    const double at_front = side_of(from, end, sides_[front].from);
+    const double at_back = side_of(from, end, sides_[back].from);
+    const double at_after = side_of(from, end, sides_[after].from);
+    const double at_before = side_of(from, end, sides_[before].from);
+    if (at_front < 0.0 && at_after >= 0.0) {
+      way_out = front;
+    } else if (at_back > 0.0 && at_before <= 0.0) {
+      way_out = before;
+    } else {
+      front = after;
+      if (front != back) back = before;
     }
-    if (!(at_u < 0.0 && at_v > 0.0)) continue;
-    if (v == from) continue;
-    const double t = at_u / (at_u - at_v);
-    const Place& p = place_.at(u);
-    const Place& q = place_.at(v);
-    const Place x{std::lerp(p[0], q[0], t), std::lerp(p[1], q[1], t)};
-    const auto sides = std::ranges::count_if(parts_, [&](const Part& part) {
-      for (std::size_t a = 0; a < part.size(); ++a) {
-        if (std::minmax(part[a], part[(a + 1) % part.size()]) == std::minmax(u, v)) return true;
-      }
-      return false;
-    });
-    if (sides < 2) return no_index;  // out of the face
-    const Index crossing = number_of_({1.0 - x[0] - x[1], x[0], x[1]});
-    place_[crossing] = x;
-    insert_into_side(u, v, crossing);
-    const auto at = std::ranges::find(parts_[k], from) - parts_[k].begin();
-    const auto there = std::ranges::find(parts_[k], crossing) - parts_[k].begin();
-    split(k, static_cast<std::size_t>(at), static_cast<std::size_t>(there));
-    return crossing;
   }
-  return no_index;
+  // Through one of its ends, or through its inside.
+  const Index following = sides_[way_out].next;
+  const Index u = sides_[way_out].from, v = sides_[following].from;
+  const double at_u = side_of(from, end, u), at_v = side_of(from, end, v);
+  const bool through_v = v == end || (at_v == 0.0 && v != from && following != sides_[side].previous);
+  const bool through_u = u == end || (at_u == 0.0 && u != from && way_out != sides_[side].next);
+  if (through_v || through_u) {
+    split(side, through_v ? following : way_out);
+    return through_v ? v : u;
+  }
+  if (!(at_u < 0.0 && at_v > 0.0) || v == from) return no_index;
+  if (sides_[way_out].beside == no_index) return no_index;  // out of the face
+  const double t = at_u / (at_u - at_v);
+  const Place &p = points_[u].place, &q = points_[v].place;
+  const Place x{std::lerp(p[0], q[0], t), std::lerp(p[1], q[1], t)};
+  const Index crossing = new_point(number_of_({1.0 - x[0] - x[1], x[0], x[1]}), x);
+  insert_into_side(way_out, crossing);
+  split(side, sides_[way_out].next);
+  return crossing;
 }
+
+// ---- Triangles
 
 std::vector<std::array<Index, 3>> FaceDivision::triangles() const {
   std::vector<std::array<Index, 3>> result;
-  for (Part part : parts_) {
+  std::vector<bool> is_done(sides_.size(), false);
+  const auto twice_area_of = [&](Index a, Index b, Index c) {
+    const Place &p = points_[a].place, &q = points_[b].place, &r = points_[c].place;
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+  };
+  for (Index first = 0; first < static_cast<Index>(sides_.size()); ++first) {
+    std::vector<Index> part;
+    for (Index side = first; !is_done[side]; side = sides_[side].next) {
+      is_done[side] = true;
+      part.push_back(sides_[side].from);
+    }
+    if (part.empty()) continue;
+    double whole = 0.0;
+    for (std::size_t i = 1; i + 1 < part.size(); ++i) whole += twice_area_of(part[0], part[i], part[i + 1]);
+    const auto add = [&](Index a, Index b, Index c) {
+      result.push_back({points_[a].number, points_[b].number, points_[c].number});
+    };
+    const auto ear = [&](std::size_t i) {
+      return std::array{part[(i + part.size() - 1) % part.size()], part[i], part[(i + 1) % part.size()]};
+    };
     while (part.size() > 3) {
       // The corner to cut off: that leaves the most area on the smaller side.
-      const double whole = area_of(part);
       std::size_t best = 0;
       double most = -1.0;
       for (std::size_t i = 0; i < part.size(); ++i) {
-        const double ear =
-            area_of({part[(i + part.size() - 1) % part.size()], part[i], part[(i + 1) % part.size()]});
-        const double least = std::min(ear, whole - ear);
+        const auto [a, b, c] = ear(i);
+        const double area = twice_area_of(a, b, c), least = std::min(area, whole - area);
         if (least > most) most = least, best = i;
       }
-      result.push_back(
-          {part[(best + part.size() - 1) % part.size()], part[best], part[(best + 1) % part.size()]});
+      const auto [a, b, c] = ear(best);
+      add(a, b, c);
+      whole -= twice_area_of(a, b, c);
       part.erase(part.begin() + static_cast<std::ptrdiff_t>(best));
     }
-    result.push_back({part[0], part[1], part[2]});
+    add(part[0], part[1], part[2]);
   }
   return result;
 }

@@ -3,15 +3,17 @@
 
 #include <array>
 #include <functional>
-#include <map>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "support/types.h"
 
 namespace vorogeo {
 
-/// A face in convex parts, each a cycle of points, counter-clockwise; parts side by side share all points of
-/// their common side. Lines are added one by one. Points have numbers of the caller's.
+/// A face in convex parts, each a cycle of sides, counter-clockwise; parts side by side share all points of
+/// their common side. Points and lines are added one by one; what is near the last one is found in few steps.
+/// Points have numbers of the caller's.
 class FaceDivision {
  public:
   using Weights = std::array<double, 3>;
@@ -30,19 +32,44 @@ class FaceDivision {
   std::vector<std::array<Index, 3>> triangles() const;
 
  private:
-  using Part = std::vector<Index>;
   using Place = std::array<double, 2>;  ///< the weights of the second and the third corner
 
-  /// Above 0 if c is to the left of the way from a to b; 0 if it is on it but for rounding.
-  double side_of(Index a, Index b, Index c) const;
-  double area_of(const Part& part) const;
-  void insert_into_side(Index a, Index b, Index point);
-  void split(std::size_t part, std::size_t i, std::size_t j);
-  Index step(Index from, Index to);
-  Index cross_part(std::size_t part, std::size_t corner, Index to);
+  struct DividedPoint {
+    Index number;
+    Place place;
+    Index side;  ///< that leaves it; on the outline the one along it
+  };
+  struct PartSide {
+    Index from;
+    Index next, previous;  ///< of the same part
+    Index beside;          ///< the other way, of the part beside it; no_index on the outline
+  };
 
-  std::map<Index, Place> place_;
-  std::vector<Part> parts_;
+  /// Above 0 if c is to the left of the way from a to b; 0 if it is on it but for rounding.
+  static double side_of(const Place& a, const Place& b, const Place& c);
+  double side_of(Index a, Index b, Index c) const {
+    return side_of(points_[a].place, points_[b].place, points_[c].place);
+  }
+  Index head(Index side) const { return sides_[sides_[side].next].from; }
+  Index new_point(Index number, const Place& place);
+  Index new_side(Index from);
+  void link(Index side, Index next) { sides_[side].next = next, sides_[next].previous = side; }
+  void pair(Index side, Index other) { sides_[side].beside = other, sides_[other].beside = side; }
+  template <class Visit>
+  void for_each_part_at(Index point, Visit&& visit) const;
+
+  Index part_with(const Place& place);
+  bool is_in_part(Index side, const Place& place, Index* way_out) const;
+  Index nearest_side(Index part, const Place& place) const;
+  void insert_into_side(Index side, Index point);
+  void split(Index side, Index other);
+  Index step(Index from, Index to);
+  Index cross_part(Index side, Index to);
+
+  std::vector<DividedPoint> points_;
+  std::vector<PartSide> sides_;
+  std::unordered_map<Index, Index> point_of_;  ///< by number
+  Index last_ = 0;                             ///< a side of the part looked at last
   Numbering number_of_;
 };
 
