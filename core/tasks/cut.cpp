@@ -143,7 +143,11 @@ class MeshCutter {
     FaceDivision division(
         outline, [&](const CutWeights& weights) { return add(SurfacePoint::in_face(face, weights)); });
     if (const auto inside = in_face_.find(face); inside != in_face_.end()) {
-      for (const auto& [weight, point] : inside->second) {
+      // Along the lines, so that each is near the last one.
+      std::vector<Index> points;
+      for (const auto& [weight, point] : inside->second) points.push_back(point);
+      std::ranges::sort(points);
+      for (const Index point : points) {
         checkpoint();
         division.add_point(point, result_.points[point].barycentric);
       }

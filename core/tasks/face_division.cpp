@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <set>
 
 namespace vorogeo {
 
@@ -272,29 +274,41 @@ std::vector<std::array<Index, 3>> FaceDivision::triangles() const {
       part.push_back(sides_[side].from);
     }
     if (part.empty()) continue;
+    const auto count = static_cast<Index>(part.size());
     double whole = 0.0;
-    for (std::size_t i = 1; i + 1 < part.size(); ++i) whole += twice_area_of(part[0], part[i], part[i + 1]);
-    const auto add = [&](Index a, Index b, Index c) {
-      result.push_back({points_[a].number, points_[b].number, points_[c].number});
+    for (Index i = 1; i + 1 < count; ++i) whole += twice_area_of(part[0], part[i], part[i + 1]);
+    std::vector<Index> before(part.size()), after(part.size());
+    for (Index i = 0; i < count; ++i) before[(i + 1) % count] = i, after[i] = (i + 1) % count;
+    std::vector<double> area(part.size());
+    std::set<std::pair<double, Index>, std::greater<>> corners;  // the largest first
+    const auto put = [&](Index i) {
+      area[i] = twice_area_of(part[before[i]], part[i], part[after[i]]);
+      corners.insert({area[i], i});
     };
-    const auto ear = [&](std::size_t i) {
-      return std::array{part[(i + part.size() - 1) % part.size()], part[i], part[(i + 1) % part.size()]};
+    const auto cut_off = [&](Index i) {
+      const auto corner = [&](Index k) { return points_[part[k]].number; };
+      result.push_back({corner(before[i]), corner(i), corner(after[i])});
     };
-    while (part.size() > 3) {
-      // The corner to cut off: that leaves the most area on the smaller side.
-      std::size_t best = 0;
+    for (Index i = 0; i < count; ++i) put(i);
+    while (corners.size() > 3) {
+      // The corner that leaves the most area on the smaller side. All but two have at most half of the area.
+      auto best = corners.begin();
       double most = -1.0;
-      for (std::size_t i = 0; i < part.size(); ++i) {
-        const auto [a, b, c] = ear(i);
-        const double area = twice_area_of(a, b, c), least = std::min(area, whole - area);
-        if (least > most) most = least, best = i;
+      for (auto it = corners.begin(); it != corners.end() && it->first > most; ++it) {
+        const double least = std::min(it->first, whole - it->first);
+        if (least > most) most = least, best = it;
       }
-      const auto [a, b, c] = ear(best);
-      add(a, b, c);
-      whole -= twice_area_of(a, b, c);
-      part.erase(part.begin() + static_cast<std::ptrdiff_t>(best));
+      const Index i = best->second, left = before[i], right = after[i];
+      cut_off(i);
+      whole -= area[i];
+      corners.erase(best);
+      for (const Index beside : {left, right}) corners.erase({area[beside], beside});
+      after[left] = right;
+      before[right] = left;
+      put(left);
+      put(right);
     }
-    add(part[0], part[1], part[2]);
+    cut_off(corners.begin()->second);
   }
   return result;
 }

@@ -236,6 +236,26 @@ TEST(CutContract, LinesThatEndCrossAndRepeatInOneFace) {
   }
 }
 
+TEST(CutContract, AFineCircleInOneFaceTakesMomentsAndHasItsArea) {
+  const Ask ask(test::Soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
+  constexpr int count = 20000;
+  constexpr double radius = 0.2, turn = 2.0 * std::numbers::pi / count;
+  std::vector<SurfacePoint> circle;
+  for (int i = 0; i < count; ++i) {
+    const double u = 0.3 + radius * std::cos(turn * i), v = 0.3 + radius * std::sin(turn * i);
+    circle.push_back(SurfacePoint::in_face(0, {1.0 - u - v, u, v}));
+  }
+  circle.push_back(circle.front());
+  const CutMesh cut = ask.cut_along({circle});
+  const auto positions = positions_of(ask.mesh(), cut);
+  std::map<Index, double> area;
+  for (std::size_t f = 0; f < cut.faces.size(); ++f) area[cut.region[f]] += area_of(positions, cut.faces[f]);
+  ASSERT_EQ(area.size(), 2u);
+  const double inside = 0.5 * count * radius * radius * std::sin(turn);
+  EXPECT_NEAR(std::min(area[0], area[1]), inside, 1e-12);
+  EXPECT_NEAR(area[0] + area[1], 0.5, 1e-12);
+}
+
 TEST(CutContract, HostileMeshesStayWhatTheyAre) {
   for (unsigned seed = 1; seed <= 60; ++seed) {
     const test::HostileMesh hostile = test::hostile_mesh(seed, 120);
