@@ -1,5 +1,6 @@
 """Matrices over Dask: a real scheduler, three worker processes of which one is killed, and the same values."""
 
+import json
 import os
 import re
 import signal
@@ -151,18 +152,25 @@ def test_one_of_three_workers_is_killed_and_the_result_in_zarr_is_complete_and_e
     )
 
 
-def test_the_command_line_uses_the_scheduler_for_one_matrix_and_for_many_meshes(cluster, index, tmp_path, monkeypatch):
+def test_the_command_line_uses_the_scheduler_for_one_matrix_and_for_many_meshes(
+    cluster, index, tmp_path, monkeypatch, capsys
+):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "shapes").mkdir()
     write_off(tmp_path / "shapes" / "m.off", *MESH)
     (tmp_path / "shapes" / "bad.off").write_text("OFF\n")
     index.save("m.vgi")
     address, _ = cluster
-    whole = ["matrix", "shapes/m.off", "--index", "m.vgi", "--out", "m.npy", "--scheduler", address, "--quiet"]
+    whole = ["matrix", "shapes/m.off", "--index", "m.vgi", "--out", "m.npy", "--scheduler", address, "--json"]
     assert main(whole) == 0
+    (told,) = json.loads(capsys.readouterr().out)["results"]
+    assert (told["mesh"], told["out"], told["shape"]) == ("shapes/m.off", "m.npy", [700, 700])
     np.testing.assert_array_equal(np.load("m.npy"), index.fields(np.arange(700)))
     np.save("cost.npy", np.full(700, 3.0))
     np.savetxt("source.txt", [7])
+    pair = ["distance", "shapes/m.off", "--from", "source.txt", "--to", "9", "--exact", "--scheduler", address]
+    assert main(pair) == 0  # nothing is written, but printed
+    assert float(capsys.readouterr().out) == pytest.approx(vorogeo.exact_distance_field(*MESH, 7)[9])
     of_folder = ["field", "shapes/*.off", "--from", "source.txt", "--exact", "--metric", "cost.npy", "--out", "out"]
     assert main([*of_folder, "--scheduler", address]) == 1
     np.testing.assert_allclose(np.load("out/m.npy"), 3 * vorogeo.exact_distance_field(*MESH, 7), rtol=1e-12)

@@ -50,10 +50,10 @@ def _absolute(job: Job) -> Job:
     for name in ("mask", "metric", "index", "with"):
         if options.get(name):
             options[name] = os.path.abspath(options[name])
-    for name in ("from", "to", "points"):
+    for name in ("from", "to", "points", "at", "curve"):
         if options.get(name):
             options[name] = [os.path.abspath(word) if os.path.isfile(word) else word for word in options[name]]
-    return replace(job, mesh=os.path.abspath(job.mesh), out=os.path.abspath(job.out), options=options)
+    return replace(job, mesh=os.path.abspath(job.mesh), out=job.out and os.path.abspath(job.out), options=options)
 
 
 def run_many(jobs: list[Job], address: str, workers: int) -> Iterator[tuple[Job, bool, str]]:
@@ -68,7 +68,7 @@ def run_many(jobs: list[Job], address: str, workers: int) -> Iterator[tuple[Job,
                 succeeded, line = done.result()
             else:
                 succeeded, line = False, f"its workers were lost ({done.status})"
-            yield job, succeeded, line.replace(os.path.abspath(job.out), job.out)
+            yield job, succeeded, line.replace(os.path.abspath(job.out), job.out) if job.out else line
 
 
 def run_one(job: Job, address: str, workers: int) -> str:
