@@ -52,7 +52,7 @@ QIcon icon() {
 
 EditVorogeo::EditVorogeo() {
   auto* ruler = new QAction("Geodesic ruler (VoroGeo)", this);
-  ruler->setToolTip("Measures along the surface: drag for the shortest path, with Shift for distances");
+  ruler->setToolTip("Measures along the surface: paths, areas, loops, tapes, angles, distances");
   ruler->setCheckable(true);
   actionList.push_back(ruler);
   // Programs without windows load all plugins, too, and cannot paint.
@@ -74,7 +74,7 @@ EditTool* EditVorogeo::getEditTool(const QAction*) {
 }
 
 QString EditVorogeo::getEditToolDescription(const QAction*) {
-  return "Measures along the surface: drag for the shortest path and its length, with Shift for distances.";
+  return "Measures along the surface: paths, areas, loops, tapes, angles, distances.";
 }
 
 MESHLAB_PLUGIN_NAME_EXPORTER(EditVorogeo)

@@ -1,6 +1,10 @@
-// The paths that were measured on a document, as a table and as lines of a layer.
+// What was measured on a document: kinds and quantities, units, text for the table, the clipboard and files,
+// and the paths as lines of a layer.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
@@ -12,30 +16,98 @@
 
 namespace vorogeo::plugin {
 
-/// A path that was drawn and kept.
-struct Measurement {
-  int number = 0;       ///< from 1; never used again
-  int layer = 0;        ///< the host's number of the layer
-  double length = 0.0;  ///< `unreachable` without a path
-  Point from{};
-  Point to{};
-  std::string method;               ///< "exact" or "refined"
-  PathLines path;                   ///< without points if there is none
-  bool is_of_another_mesh = false;  ///< the layer was edited since
+// ---- Kinds of measurements, their quantities and units
 
-  double straight() const { return distance_between(from, to); }
+enum class MeasureKind : std::uint8_t { distance, path, polygon, loop, tape, disk, angle };
+
+/// By kind: its name, and how it is measured.
+struct KindText {
+  const char* name;
+  const char* hint;
+};
+inline constexpr std::array<KindText, 7> kind_texts{
+    {{"distance", "Drag on the surface from one point to another: the shortest path."},
+     {"path", "Click on points: the shortest path through them. Double click or Enter ends it."},
+     {"polygon", "Click on corners: area and perimeter. Double click or Enter ends it."},
+     {"loop", "Drag on the surface: the shortest loop that cannot be contracted to the cursor."},
+     {"tape", "Drag on a limb: the tape measure round it at the cursor."},
+     {"disk", "Drag on the surface from the centre to the border of a disk: its area and radius."},
+     {"angle", "Click on three points: the angle at the second between the paths to the others."}}};
+inline const char* name_of(MeasureKind kind) { return kind_texts[static_cast<std::size_t>(kind)].name; }
+/// Whether points are clicked one after the other until an end, not dragged.
+inline bool takes_clicks(MeasureKind kind) {
+  return kind == MeasureKind::path || kind == MeasureKind::polygon || kind == MeasureKind::angle;
+}
+
+enum class Quantity : std::uint8_t {
+  length,
+  straight,
+  ratio,
+  area,
+  perimeter,
+  tape,
+  section,
+  loop,
+  radius,
+  border,
+  angle  ///< in degrees
+};
+inline constexpr std::array<const char*, 11> quantity_names{"length",    "straight", "ratio",   "area",
+                                                            "perimeter", "tape",     "section", "loop",
+                                                            "radius",    "border",   "angle"};
+
+struct Value {
+  Quantity what;
+  double value;
+
+  friend bool operator==(const Value&, const Value&) = default;
 };
 
-/// The measurements of a document, which all its views show, and their text. Rows have seven digits, as the
-/// log has; files have all digits. Numbers are written with a point in every language. All functions are
-/// called from one thread.
+/// What the coordinates of the document count in. Values are not converted.
+enum class LengthUnit : std::uint8_t { model, mm, cm, m, inch };
+inline constexpr std::array<const char*, 5> unit_names{"model", "mm", "cm", "m", "inch"};
+/// Such as "mm" or its square; empty for a ratio.
+std::string unit_of(Quantity quantity, LengthUnit unit);
+
+// ---- Measurements
+
+struct Measurement {
+  int number = 0;  ///< from 1; never used again
+  std::string name;
+  MeasureKind kind = MeasureKind::distance;
+  int layer = 0;  ///< the host's number of the layer; -1: none of the document
+  std::string layer_name;
+  std::vector<Value> values;  ///< the first is what was asked for: `unreachable` without a path
+  std::vector<Point> points;  ///< on the surface, by which it is measured again
+  std::string method;         ///< "exact" or "refined"
+  PathLines path;             ///< without points if there is none
+  std::uint64_t mesh = 0;     ///< hash of the mesh on which it was taken
+  bool is_hidden = false;
+  bool is_of_another_mesh = false;  ///< the layer was edited since
+};
+
+/// The measurements of a document, which all its views show, and their text. What is shown has four digits;
+/// files have all digits. Numbers are written with a point in every language. All functions are called from
+/// one thread.
 class Measurements {
  public:
   const std::vector<Measurement>& all() const { return all_; }
+  /// Null if there is none.
+  const Measurement* find(int number) const;
+  LengthUnit unit() const { return unit_; }
+  /// Grows with every change.
+  int revision() const { return revision_; }
 
-  /// Gives it the next number, which is returned. `mesh`: on which it was taken.
-  int add(Measurement measurement, const VcgMeshArrays& mesh);
+  /// Gives it the next number, and a name from it if it has none. `mesh`: on which it was taken.
+  const Measurement& add(Measurement measurement, const VcgMeshArrays& mesh);
+  /// The same measured again: number, name and whether it is hidden stay. \return null if it is gone.
+  const Measurement* replace(int number, Measurement measurement, const VcgMeshArrays& mesh);
   void remove(const std::vector<int>& numbers);
+  void rename(int number, const std::string& name);
+  void hide(int number, bool is_hidden);
+  void set_unit(LengthUnit unit);
+  /// Takes the last of these changes back, but for the unit.
+  void undo();
   /// The mesh of a layer as it is now: measurements of another one are kept, but say so.
   void compare(int layer, const VcgMeshArrays& mesh);
   /// `changed` is called now and after every change, until unwatch(who).
@@ -43,22 +115,33 @@ class Measurements {
   void unwatch(const void* who) { watchers_.erase(who); }
 
   static std::vector<std::string> columns();
-  static std::vector<std::string> row(const Measurement& measurement);
-  /// A length as it stands beside a path: four digits, and those of its whole part.
-  static std::string label(double length);
+  std::vector<std::string> row(const Measurement& measurement) const;
+  /// What was asked for, as it stands beside the path: four digits, those of its whole part, and its unit.
+  std::string label(const Measurement& measurement) const;
+  static std::string four_digits(double value);
   /// With tabs, a line for each row, the first with the columns: what spreadsheets take from the clipboard.
   std::string table() const;
-  /// With commas, all digits and the positions of both ends.
+  /// With commas and all digits: a column for each quantity, and the points.
   std::string csv() const;
   /// All paths of a layer.
   PathLines lines_on(int layer) const;
 
+  /// Everything, to be read again.
+  std::string text() const;
+  /// Replaces everything by what text() wrote. `layer_of`: the number of a layer, -1 if there is none of that
+  /// name. \throw InvalidInput for anything else (names the line); nothing is changed then.
+  void read(const std::string& text, const std::function<int(const std::string&)>& layer_of);
+
  private:
-  void tell() const;
+  Measurement* own(int number);
+  void remember();
+  void tell();
 
   std::vector<Measurement> all_;
+  std::vector<std::vector<Measurement>> before_;  ///< earlier states, the last one last
+  LengthUnit unit_ = LengthUnit::model;
   int last_ = 0;
-  std::map<int, VcgMeshArrays> measured_;  ///< by layer, the mesh of its measurements
+  int revision_ = 0;
   std::map<const void*, std::function<void()>> watchers_;
 };
 

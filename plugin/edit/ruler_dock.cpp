@@ -4,21 +4,47 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <utility>
 
 namespace vorogeo::plugin {
 
+namespace {
+
+constexpr int name_column = 1;
+constexpr const char* help =
+    "\nShift and drag: distances from a point. Ctrl and drag: move a point of a measurement."
+    "\nBackspace, Esc: a step back. Esc: move the camera, and back; C: also between two clicks.";
+
+}  // namespace
+
 RulerDock::RulerDock(QWidget* parent, Actions actions)
     : QDockWidget("Geodesic ruler", parent), actions_(std::move(actions)) {
   auto* body = new QWidget(this);
   auto* rows = new QVBoxLayout(body);
-  auto* hint = new QLabel(
-      "Drag on the surface: shortest path. With Shift: distances from the point. Esc: move the camera, and "
-      "back.",
-      body);
-  hint->setWordWrap(true);
-  rows->addWidget(hint);
+  auto* choices = new QHBoxLayout;
+  const auto add_choice = [&](const char* tip) {
+    auto* box = new QComboBox(body);
+    box->setToolTip(tip);
+    choices->addWidget(box);
+    return box;
+  };
+  auto* kinds = add_choice("What is measured next.");
+  for (const KindText& kind : kind_texts) kinds->addItem(kind.name);
+  unit_ = add_choice("What the coordinates count in; values are not converted.");
+  for (const char* unit : unit_names) unit_->addItem(unit);
+  rows->addLayout(choices);
+  hint_ = new QLabel(QString(kind_texts.front().hint) + help, body);
+  hint_->setWordWrap(true);
+  rows->addWidget(hint_);
+  const auto chosen_one = QOverload<int>::of(&QComboBox::activated);
+  connect(kinds, chosen_one, this, [this](int number) {
+    hint_->setText(QString(kind_texts[static_cast<std::size_t>(number)].hint) + help);
+    actions_.choose_kind(static_cast<MeasureKind>(number));
+  });
+  connect(unit_, chosen_one, this,
+          [this](int number) { actions_.choose_unit(static_cast<LengthUnit>(number)); });
   status_ = new QLabel(body);
   status_->setWordWrap(true);
   rows->addWidget(status_);
@@ -31,15 +57,17 @@ RulerDock::RulerDock(QWidget* parent, Actions actions)
   table_->verticalHeader()->hide();
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  // Later, as the table is filled anew, while an item that tells of its change is still in use.
+  connect(table_, &QTableWidget::cellChanged, this, &RulerDock::change, Qt::QueuedConnection);
   rows->addWidget(table_);
 
   auto* buttons = new QHBoxLayout;
+  auto* more_buttons = new QHBoxLayout;
   const auto add_button = [&](const char* text, const char* tip, const std::function<void()>& pressed) {
     auto* button = new QPushButton(text, body);
     button->setToolTip(tip);
     connect(button, &QPushButton::clicked, this, pressed);
-    buttons->addWidget(button);
+    (buttons->count() < 3 ? buttons : more_buttons)->addWidget(button);
     return button;
   };
   prepare_ = add_button(
@@ -53,7 +81,11 @@ RulerDock::RulerDock(QWidget* parent, Actions actions)
                      [this] { actions_.save(); });
   add_button("Delete", "Removes the selected measurements, or the last one (Delete).",
              [this] { actions_.remove(chosen()); });
+  add_button("Undo", "Takes the last change of the table back (Ctrl+Z).", [this] { actions_.undo(); });
+  add_button("Measure again", "Measures again what was measured on the current layer before an edit.",
+             [this] { actions_.measure_again(); });
   rows->addLayout(buttons);
+  rows->addLayout(more_buttons);
   setWidget(body);
 
   for (QWidget* child : body->findChildren<QWidget*>()) child->installEventFilter(this);
@@ -66,10 +98,12 @@ bool RulerDock::eventFilter(QObject* watched, QEvent* event) {
     const auto* key = static_cast<const QKeyEvent*>(event);
     const bool is_copy = key->matches(QKeySequence::Copy);
     const bool is_delete = key->matches(QKeySequence::Delete);
-    if (is_copy || is_delete) {
+    const bool is_undo = key->matches(QKeySequence::Undo);
+    if (is_copy || is_delete || is_undo) {
       event->accept();
       if (event->type() == QEvent::KeyPress && is_copy) actions_.copy();
       if (event->type() == QEvent::KeyPress && is_delete) actions_.remove(chosen());
+      if (event->type() == QEvent::KeyPress && is_undo) actions_.undo();
       return true;
     }
   }
@@ -77,17 +111,36 @@ bool RulerDock::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void RulerDock::show_measurements(const Measurements& measurements) {
+  const QSignalBlocker no_changes(table_);
   const auto& all = measurements.all();
   table_->setRowCount(static_cast<int>(all.size()));
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::vector<std::string> cells = Measurements::row(all[i]);
+    const std::vector<std::string> cells = measurements.row(all[i]);
     for (std::size_t j = 0; j < cells.size(); ++j) {
-      table_->setItem(static_cast<int>(i), static_cast<int>(j),
-                      new QTableWidgetItem(QString::fromStdString(cells[j])));
+      auto* item = new QTableWidgetItem(QString::fromStdString(cells[j]));
+      item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+      if (j == name_column) {
+        item->setFlags(item->flags() | Qt::ItemIsEditable | Qt::ItemIsUserCheckable);
+        item->setCheckState(all[i].is_hidden ? Qt::Unchecked : Qt::Checked);
+        item->setToolTip("Double-click: another name. Without the tick, it is hidden in the view.");
+      }
+      table_->setItem(static_cast<int>(i), static_cast<int>(j), item);
     }
   }
   table_->scrollToBottom();
   save_->setEnabled(!all.empty());
+  unit_->setCurrentIndex(static_cast<int>(measurements.unit()));
+}
+
+/// The name or the tick of a row, by the user.
+void RulerDock::change(int row, int column) {
+  const QTableWidgetItem* item = column == name_column ? table_->item(row, column) : nullptr;
+  if (item == nullptr) return;
+  const int number = table_->item(row, 0)->text().toInt();
+  const bool is_hidden = item->checkState() == Qt::Unchecked;
+  const std::string name = item->text().toStdString();
+  actions_.hide(number, is_hidden);
+  actions_.rename(number, name);
 }
 
 void RulerDock::offer_preparation(bool is_offered) {

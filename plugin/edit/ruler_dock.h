@@ -1,6 +1,7 @@
-// The dock of the ruler: the table of measurements, what answers, and the buttons.
+// The dock of the ruler: how to measure, what answers, the table of measurements and the buttons.
 #pragma once
 
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QPushButton>
@@ -21,6 +22,12 @@ class RulerDock : public QDockWidget {
     std::function<void()> copy;
     std::function<void()> save;
     std::function<void(const std::vector<int>& numbers)> remove;
+    std::function<void()> undo;
+    std::function<void()> measure_again;
+    std::function<void(MeasureKind kind)> choose_kind;
+    std::function<void(LengthUnit unit)> choose_unit;
+    std::function<void(int number, const std::string& name)> rename;
+    std::function<void(int number, bool is_hidden)> hide;
   };
   RulerDock(QWidget* parent, Actions actions);
 
@@ -30,14 +37,17 @@ class RulerDock : public QDockWidget {
   /// Whether there is a button that builds an index.
   void offer_preparation(bool is_offered);
   void show_preparation(double fraction);
-  /// As a filter of events it takes the keys that copy and delete, for its own widgets and for others.
+  /// As a filter of events it takes the keys that copy, delete and undo, for its own widgets and for others.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   /// Numbers of the rows that are selected; of the last row if none is.
   std::vector<int> chosen() const;
+  void change(int row, int column);
 
   Actions actions_;
+  QLabel* hint_;
+  QComboBox* unit_;
   QLabel* status_;
   QTableWidget* table_;
   QPushButton* prepare_;

@@ -5,9 +5,18 @@
 #include <array>
 #include <cmath>
 #include <iomanip>
+#include <numbers>
 #include <sstream>
 
+#include "exact/tangent_frame.h"
 #include "query/rent_or_buy.h"
+#include "support/error.h"
+#include "tasks/bands.h"
+#include "tasks/directions.h"
+#include "tasks/girth.h"
+#include "tasks/loops.h"
+#include "tasks/path_through.h"
+#include "tasks/polygon.h"
 
 namespace vorogeo::plugin {
 
@@ -129,18 +138,150 @@ SurfacePath RulerSurface::find_path(const SurfacePoint& source, const SurfacePoi
   }
 }
 
-RulerAnswer RulerSurface::path(const Picked& from, const Picked& to, const Progress& progress) {
+void RulerSurface::measure_distance(const std::vector<SurfacePoint>& points, RulerAnswer& answer,
+                                    const Progress& progress) {
+  const SurfacePath path = find_path(points[0], points[1], answer, progress);
+  const double straight = distance_between(answer.points[0], answer.points[1]);
+  // Infinite where both ends are at one place in space, on two sheets of the surface.
+  const double ratio = path.length == straight ? 1.0 : path.length / straight;
+  answer.values = {{Quantity::length, path.length}, {Quantity::straight, straight}, {Quantity::ratio, ratio}};
+  answer.lines = lines_of(*layer_->mesh(), path);
+}
+
+/// The path through points of which the last one moves with the mouse: the part before it is kept.
+void RulerSurface::preview(const std::vector<SurfacePoint>& points, bool is_closed, RulerAnswer& answer,
+                           const TaskOptions& options) {
+  if (points.size() < 2) return;
+  const auto surface = layer_->surface();
+  const Mesh& mesh = *surface->mesh();
+  double length = 0.0;
+  const auto add = [&](const SurfacePath& leg) {
+    append(answer.lines, lines_of(mesh, leg));
+    length += leg.length;
+  };
+  const auto add_leg = [&](std::size_t i, std::size_t j) {
+    const SurfacePath leg = find_path(points[i], points[j], answer, options.progress);
+    if (leg.points.empty()) refuse_leg(mesh, i, points[i], j, points[j]);
+    add(leg);
+  };
+  const std::vector<SurfacePoint> fixed(points.begin(), points.end() - 1);
+  if (fixed.size() > 1 && fixed != fixed_points_) {
+    fixed_path_ = path_through(*surface, fixed, false, options).path;
+    fixed_points_ = fixed;
+  }
+  if (fixed.size() > 1) add(fixed_path_);
+  add_leg(points.size() - 2, points.size() - 1);
+  if (is_closed && points.size() > 2) {
+    add(surface
+            ->path(points.back(), points.front(), AnswerMethod::exact, {}, *options.answered,
+                   options.progress)
+            .path);
+  }
+  answer.values = {{is_closed ? Quantity::perimeter : Quantity::length, length}};
+}
+
+void RulerSurface::measure_disk(const std::vector<SurfacePoint>& points, RulerAnswer& answer,
+                                const TaskOptions& options) {
+  const auto surface = layer_->surface();
+  const double radius = find_path(points[0], points[1], answer, options.progress).length;
+  if (radius == 0.0) return;
+  if (!std::isfinite(radius)) {
+    throw InvalidInput("No path leads from the centre of the disk to this point; choose one nearer to it.");
+  }
+  answer.how = AnswerMethod::exact;
+  const Band disk = band(*surface, std::vector{points[0]}, radius, options);
+  answer.values = {
+      {Quantity::area, disk.area}, {Quantity::radius, radius}, {Quantity::border, disk.border_length}};
+  const Mesh& mesh = *surface->mesh();
+  const std::array centre{ExactSource{points[0]}};
+  // Far enough that all faces at the border have distances at all corners.
+  const double reach = radius + 2.0 * mesh.longest_edge_length();
+  const auto field = surface->field(centre, reach, AnswerMethod::exact, *options.answered, options.progress);
+  answer.lines.lines = isolines(mesh, field.distance, std::array{radius}, Interpolation::distance).lines;
+  answer.lines.along.assign(answer.lines.lines.points.size(), radius);
+}
+
+namespace {
+
+/// Between the beginnings of two paths from the same point, on the side where it is smaller; in degrees.
+double angle_between(Surface& surface, const SurfacePath& first, const SurfacePath& second) {
+  const SurfacePoint& apex = first.points.front();
+  const TangentFrame frame(agreeing_geometry(surface, apex), apex);
+  const auto direction_of = [&](const SurfacePath& path) {
+    const Index face = common_face(*surface.mesh(), apex, path.points[1]);
+    std::array<double, 3> weights{};
+    weights_in_face(*surface.mesh(), path.points[1], face, weights);
+    return frame.angle_in_face(face, weights);
+  };
+  const double apart = std::remainder(direction_of(first) - direction_of(second), frame.full_turn());
+  return std::abs(apart) * 180.0 / std::numbers::pi;
+}
+
+}  // namespace
+
+RulerAnswer RulerSurface::measure(MeasureKind kind, const std::vector<Picked>& picked, bool is_last,
+                                  const Progress& progress) {
   const auto find = [&](RulerAnswer& answer) {
-    SurfacePoint source;
-    SurfacePoint target;
-    answer.is_on_surface = snap(from, source) && snap(to, target);
+    std::vector<SurfacePoint> points;
+    for (const Picked& one : picked) {
+      SurfacePoint point;
+      if (snap(one, point)) points.push_back(point);
+    }
+    answer.is_on_surface = takes_clicks(kind) ? !points.empty() : points.size() == picked.size();
     if (!answer.is_on_surface) return;
-    const auto mesh = layer_->mesh();
-    answer.from = position_of(*mesh, source);
-    answer.to = position_of(*mesh, target);
-    const SurfacePath path = find_path(source, target, answer, progress);
-    answer.length = path.length;
-    answer.lines = lines_of(*mesh, path);
+    const auto surface = layer_->surface();
+    const Mesh& mesh = *surface->mesh();
+    for (const SurfacePoint& point : points) answer.points.push_back(position_of(mesh, point));
+    Answered answered;
+    const TaskOptions options{AnswerMethod::exact, progress, &answered};
+    const auto add_line = [&](const SurfacePath& path) { append(answer.lines, lines_of(mesh, path)); };
+    switch (kind) {
+      case MeasureKind::distance:
+        return measure_distance(points, answer, progress);
+      case MeasureKind::path: {
+        if (!is_last) return preview(points, false, answer, options);
+        const SurfacePath path = path_through(*surface, points, false, options).path;
+        answer.values = {{Quantity::length, path.length}};
+        return add_line(path);
+      }
+      case MeasureKind::polygon: {
+        if (!is_last) return preview(points, true, answer, options);
+        const GeodesicPolygon polygon = geodesic_polygon(*surface, points, options);
+        answer.values = {{Quantity::area, polygon.area}, {Quantity::perimeter, polygon.perimeter}};
+        for (const ExactPath& leg : polygon.legs) add_line(leg.path);
+        return;
+      }
+      case MeasureKind::loop: {
+        const SurfacePath loop = shortest_loop(*surface, points[0], PointList{}, options).path;
+        answer.values = {{Quantity::length, loop.length}};
+        return add_line(loop);
+      }
+      case MeasureKind::tape: {
+        const Girth limb = girth(*surface, points[0], std::nullopt, options);
+        answer.values = {{Quantity::tape, limb.tape_length}, {Quantity::section, limb.section.length}};
+        if (limb.loop.points.size() > 1) answer.values.push_back({Quantity::loop, limb.loop.length});
+        std::vector<Point> tape = limb.tape;
+        tape.push_back(tape.front());
+        answer.lines = lines_through(tape);
+        return;
+      }
+      case MeasureKind::disk:
+        return measure_disk(points, answer, options);
+      case MeasureKind::angle: {
+        if (!is_last) return preview(points, false, answer, options);
+        if (points.size() != 3) throw InvalidInput("An angle has three points; click on them.");
+        const SurfacePath first =
+            path_through(*surface, std::vector{points[1], points[0]}, false, options).path;
+        const SurfacePath second =
+            path_through(*surface, std::vector{points[1], points[2]}, false, options).path;
+        if (first.length == 0.0 || second.length == 0.0) {
+          throw InvalidInput("Two points of the angle are the same; click on three different ones.");
+        }
+        answer.values = {{Quantity::angle, angle_between(*surface, first, second)}};
+        add_line(first);
+        return add_line(second);
+      }
+    }
   };
   return answer_of(find);
 }

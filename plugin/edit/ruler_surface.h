@@ -1,5 +1,5 @@
-// A mesh that is measured: paths and fields between points that were picked, by what answers at once; exact
-// paths of a drag, and how many answers it showed in a second.
+// A mesh that is measured: measurements by points that were picked, and fields, by what answers at once;
+// exact paths of a drag, and how many answers it showed in a second.
 #pragma once
 
 #include <atomic>
@@ -11,12 +11,14 @@
 #include <vector>
 
 #include "edit/background.h"
+#include "edit/measurements.h"
 #include "exact/paths_from_point.h"
 #include "layers/layer_surface.h"
 #include "layers/path_lines.h"
 #include "query/path_query.h"
 #include "support/progress.h"
 #include "tasks/surface_lines.h"
+#include "tasks/workers.h"
 
 namespace vorogeo::plugin {
 
@@ -87,7 +89,7 @@ const char* name_of(AnswerMethod how, bool is_path);
 /// them.
 std::vector<double> round_values(double largest);
 
-/// A path or a field.
+/// A measurement or a field.
 struct RulerAnswer {
   bool is_field = false;
   bool is_on_surface = false;  ///< all that was picked; otherwise nothing else is meant to be read
@@ -95,11 +97,10 @@ struct RulerAnswer {
   double seconds = 0.0;
   std::string error;  ///< a sentence; empty if there is none
 
-  // Of a path:
-  Point from{};
-  Point to{};
-  double length = unreachable;
-  PathLines lines;  ///< without points if the ends lie in different components
+  // Of a measurement:
+  std::vector<Point> points;  ///< on the surface
+  std::vector<Value> values;  ///< see Measurement; empty as long as points are missing
+  PathLines lines;            ///< without points if no path joins the two of a distance
 
   // Of a field:
   std::vector<double> distances;  ///< of all vertices
@@ -119,7 +120,10 @@ class RulerSurface {
   std::shared_ptr<const GeodesicIndex> index() const { return layer_->index(); }
 
   // By the worker only. All errors become sentences. \throw Cancelled.
-  RulerAnswer path(const Picked& from, const Picked& to, const Progress& progress = {});
+  /// Of points that are clicked, those beside the surface are left out. `is_last`: as it is kept; before, a
+  /// polygon is shown as its border only.
+  RulerAnswer measure(MeasureKind kind, const std::vector<Picked>& picked, bool is_last = true,
+                      const Progress& progress = {});
   RulerAnswer field(const Picked& from, const Progress& progress = {});
 
   /// Ends what goes on between answers. Only while no answer is being computed.
@@ -129,9 +133,16 @@ class RulerSurface {
   bool snap(const Picked& picked, SurfacePoint& point);
   SurfacePath find_path(const SurfacePoint& source, const SurfacePoint& target, RulerAnswer& answer,
                         const Progress& progress);
+  void measure_distance(const std::vector<SurfacePoint>& points, RulerAnswer& answer,
+                        const Progress& progress);
+  void preview(const std::vector<SurfacePoint>& points, bool is_closed, RulerAnswer& answer,
+               const TaskOptions& options);
+  void measure_disk(const std::vector<SurfacePoint>& points, RulerAnswer& answer, const TaskOptions& options);
 
   const std::shared_ptr<LayerSurface> layer_;
   std::unique_ptr<DragPaths> exact_paths_;  ///< the worker's
+  std::vector<SurfacePoint> fixed_points_;  ///< the worker's: of a preview, those before the cursor
+  SurfacePath fixed_path_;                  ///< through them
 };
 
 }  // namespace vorogeo::plugin

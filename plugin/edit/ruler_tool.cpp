@@ -4,13 +4,16 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QDir>
+#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QKeyEvent>
 #include <QMessageBox>
 #include <QMouseEvent>
 #include <QSaveFile>
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "host/edit_host.h"
@@ -26,7 +29,10 @@ constexpr float line_width = 3.0F;
 constexpr float isoline_width = 1.5F;
 constexpr std::chrono::milliseconds tick_of_preparation{200};
 constexpr int columns = 4;
-constexpr QSize dock_size(360, 250);
+constexpr QSize dock_size(430, 350);
+constexpr std::chrono::seconds tick_of_storing{1};
+/// Pixels from a point of a measurement at which it is taken by the mouse.
+constexpr double reach_of_points = 10.0;
 
 Transform transform_of(const MeshModel& layer) {
   Transform matrix;
@@ -38,29 +44,48 @@ Transform transform_of(const MeshModel& layer) {
   return matrix;
 }
 
-/// A path, or the straight line between points that no path joins.
-SurfaceLines shown_lines(const SurfaceLines& path, const Point& from, const Point& to) {
-  return path.points.empty() ? SurfaceLines{{from, to}, {{0, 1}}} : path;
+/// The lines of a measurement, or the straight line between points that no path joins.
+void draw_lines(Overlay& overlay, const SurfaceLines& lines, const std::vector<Value>& values,
+                const std::vector<Point>& points, const Color& color) {
+  if (!values.empty() && !std::isfinite(values.front().value)) {
+    overlay.lines({{points[0], points[1]}, {{0, 1}}}, no_path_color, line_width);
+  } else {
+    overlay.lines(lines, color, line_width);
+  }
+}
+
+/// As they are on the surface already, however far an edit has moved it.
+std::vector<Picked> picked_at(const std::vector<Point>& points) {
+  std::vector<Picked> picked;
+  for (const Point& point : points) picked.push_back({point, unreachable});
+  return picked;
 }
 
 }  // namespace
 
-std::shared_ptr<Measurements> RulerShared::measurements_of(MeshDocument& document) {
+std::shared_ptr<Measurements> RulerShared::measurements_of(MeshDocument& document,
+                                                           const std::function<void(Measurements&)>& made) {
   std::erase_if(measurements_,
                 [](const auto& entry) { return entry.first.isNull() || entry.second.expired(); });
   for (const auto& [known, list] : measurements_) {
     if (known == &document) return list.lock();
   }
-  auto made = std::make_shared<Measurements>();
-  measurements_.emplace_back(&document, made);
-  return made;
+  auto list = std::make_shared<Measurements>();
+  made(*list);
+  measurements_.emplace_back(&document, list);
+  return list;
 }
 
 RulerTool::RulerTool(std::shared_ptr<RulerShared> shared) : shared_(std::move(shared)) {
   ticks_.setInterval(tick_of_preparation);
   connect(&ticks_, &QTimer::timeout, this, [this] { show_status(); });
+  stores_.setInterval(tick_of_storing);
+  connect(&stores_, &QTimer::timeout, this, [this] { store(); });
   // No thread may outlive the program's main function.
-  connect(qApp, &QCoreApplication::aboutToQuit, this, [this] { stop(); });
+  connect(qApp, &QCoreApplication::aboutToQuit, this, [this] {
+    store();
+    stop();
+  });
 }
 
 RulerTool::~RulerTool() {
@@ -77,22 +102,33 @@ bool RulerTool::startEdit(MeshDocument& document, GLArea* area, MLSceneGLSharedD
   context_ = context;
   setLog(&document.Log);
   shared_->keep_layers_with(document);
-  measurements_ = shared_->measurements_of(document);
+  measurements_ = shared_->measurements_of(document, [this](Measurements& list) { load(list); });
+  stores_.start();
   if (dock_ == nullptr) {
-    dock_ = new RulerDock(area_->window(),
-                          {[this] { prepare(); },
-                           [this] {
-                             stop_preparation();
-                             show_status();
-                           },
-                           [this] { copy(); }, [this] { save(); },
-                           [this](const std::vector<int>& numbers) { measurements_->remove(numbers); }});
+    dock_ = new RulerDock(
+        area_->window(),
+        {.prepare = [this] { prepare(); },
+         .cancel =
+             [this] {
+               stop_preparation();
+               show_status();
+             },
+         .copy = [this] { copy(); },
+         .save = [this] { save(); },
+         .remove = [this](const std::vector<int>& numbers) { measurements_->remove(numbers); },
+         .undo = [this] { measurements_->undo(); },
+         .measure_again = [this] { measure_again(); },
+         .choose_kind = [this](MeasureKind kind) { choose(kind); },
+         .choose_unit = [this](LengthUnit unit) { measurements_->set_unit(unit); },
+         .rename = [this](int number, const std::string& name) { measurements_->rename(number, name); },
+         .hide = [this](int number, bool is_hidden) { measurements_->hide(number, is_hidden); }});
     dock_->setFloating(true);
     dock_->resize(dock_size);
     dock_->move(area_->mapToGlobal(QPoint(0, std::max(0, area_->height() - dock_->height()))));
   }
   dock_->show();
   area_->installEventFilter(dock_);
+  area_->installEventFilter(this);
   area_->setCursor(Qt::CrossCursor);
   read_layer();
   measurements_->watch(this, [this] {
@@ -104,11 +140,13 @@ bool RulerTool::startEdit(MeshDocument& document, GLArea* area, MLSceneGLSharedD
 }
 
 void RulerTool::endEdit(MeshDocument&, GLArea*, MLSceneGLSharedDataContext*) {
+  store();
   stop();
   if (measurements_) measurements_->unwatch(this);
   if (dock_ != nullptr) dock_->hide();
   if (area_ == nullptr) return;
   area_->removeEventFilter(dock_);
+  area_->removeEventFilter(this);
   area_->unsetCursor();
 }
 
@@ -122,6 +160,7 @@ void RulerTool::layerChanged(MeshDocument&, MeshModel&, GLArea*, MLSceneGLShared
 
 void RulerTool::stop() {
   drag_.reset();
+  clicked_.clear();
   live_.reset();
   field_ = {};
   ticks_.stop();
@@ -153,6 +192,7 @@ void RulerTool::read_layer() {
   if (now == surface_) return;
   stop_preparation();
   worker_.clear();
+  clicked_.clear();
   live_.reset();
   field_ = {};
   surface_ = std::move(now);
@@ -163,19 +203,28 @@ void RulerTool::read_layer() {
 void RulerTool::warm_up() {
   if (!surface_ || drag_ || surface_->arrays().positions.empty()) return;
   const Picked anywhere{surface_->arrays().positions.front(), unreachable};
-  post({surface_, -1, false, false, anywhere, anywhere});
+  post({.surface = surface_, .points = {anywhere, anywhere}});
 }
 
 void RulerTool::mousePressEvent(QMouseEvent* event, MeshModel&, GLArea*) {
   if (event->button() != Qt::LeftButton) return;
+  end_drag();
   read_layer();
   show_status();
   drag_.reset();
-  live_.reset();
+  if (clicked_.empty()) live_.reset();
   field_ = {};
   if (!surface_) return;
+  ++step_;
   const bool is_field = (event->modifiers() & Qt::ShiftModifier) != 0;
-  drag_ = Drag{++drags_, is_field, event->pos(), event->pos(), false, false, {}, {}, {}};
+  const bool moves_point = !is_field && clicked_.empty() && (event->modifiers() & Qt::ControlModifier) != 0;
+  drag_ = Drag{.is_field = is_field,
+               .moves_point = moves_point,
+               .pressed = event->pos(),
+               .cursor = event->pos(),
+               .view = {},
+               .from = {},
+               .to = {}};
   log_.begin();
 }
 
@@ -200,28 +249,83 @@ std::optional<Picked> RulerTool::pick(const QPoint& at) const {
   return drag_->view->pick(x, y);
 }
 
-/// Posts the request of the drag as it is now. Places without a surface change nothing.
+/// The point of a measurement that is seen where the mouse was pressed.
+bool RulerTool::find_point() {
+  Drag& drag = *drag_;
+  const double ratio = area_->devicePixelRatioF();
+  const QPointF pressed(drag.pressed.x() * ratio, drag.view->height() - 1 - drag.pressed.y() * ratio);
+  double nearest = reach_of_points * ratio;
+  for (const Measurement& m : measurements_->all()) {
+    if (m.layer != layer_ || m.is_hidden) continue;
+    for (std::size_t i = 0; i < m.points.size(); ++i) {
+      const auto pixel = drag.view->pixel_of(m.points[i]);
+      if (!pixel) continue;
+      const double away = std::hypot(pixel->x() - pressed.x(), pixel->y() - pressed.y());
+      if (away >= nearest) continue;
+      nearest = away;
+      drag.measurement = m.number;
+      drag.point = i;
+    }
+  }
+  return drag.measurement != 0;
+}
+
+/// What the drag asks as it is now; nothing as long as it has not been over the surface.
+std::optional<RulerRequest> RulerTool::request_of(const Drag& drag) const {
+  if (!drag.to) return std::nullopt;
+  RulerRequest request{.surface = surface_,
+                       .step = step_,
+                       .is_field = drag.is_field,
+                       .is_last = drag.is_released,
+                       .kind = kind_,
+                       .points = {*drag.to}};
+  if (drag.is_field) return request;
+  if (drag.measurement != 0) {
+    const Measurement* const moved = measurements_->find(drag.measurement);
+    if (moved == nullptr || !drag.has_moved) return std::nullopt;
+    request.kind = moved->kind;
+    request.points = picked_at(moved->points);
+    request.points[drag.point] = *drag.to;
+    request.replaces = moved->number;
+  } else if (takes_clicks(kind_)) {
+    request.is_last = false;
+    request.adds_point = drag.is_released;
+    request.points.insert(request.points.begin(), clicked_.begin(), clicked_.end());
+  } else if (kind_ == MeasureKind::distance || kind_ == MeasureKind::disk) {
+    if (!drag.from || !drag.has_moved) return std::nullopt;
+    request.points = {*drag.from, *drag.to};
+  }
+  return request;
+}
+
+/// Posts the request of the drag. Places without a surface change nothing.
 void RulerTool::ask() {
   if (!drag_ || !drag_->view || area_ == nullptr) return;  // asked once the view is captured
   Drag& drag = *drag_;
+  if (drag.moves_point && drag.measurement == 0 && !find_point()) return drag_.reset();
   const auto under_cursor = pick(drag.cursor);
   if (under_cursor) drag.to = under_cursor;
-  if (!drag.from) drag.from = drag.is_field ? drag.to : pick(drag.pressed);
-  const bool is_last = drag.is_released;
-  const bool is_asked = drag.is_field ? drag.to.has_value() : drag.from && drag.to && drag.has_moved;
-  if (is_asked) {
+  if (!drag.from) drag.from = pick(drag.pressed);
+  const auto request = request_of(drag);
+  if (request) {
     log_.asked(std::chrono::steady_clock::now());
-    post({surface_, drag.number, drag.is_field, is_last, drag.is_field ? *drag.to : *drag.from, *drag.to});
+    if (request->adds_point) clicked_ = request->points;
+    post(*request);
   }
-  if (is_last) drag_.reset();
+  if (drag.is_released) drag_.reset();
+  constexpr std::size_t points_of_angle = 3;
+  if (request && request->adds_point && kind_ == MeasureKind::angle && clicked_.size() == points_of_angle) {
+    finish();
+  }
 }
 
 void RulerTool::post(RulerRequest request) {
   const bool is_kept = request.is_last;
   auto work = [this, request = std::move(request)](const Progress& progress) {
     RulerSurface& surface = *request.surface;
-    RulerAnswer found = request.is_field ? surface.field(request.from, progress)
-                                         : surface.path(request.from, request.to, progress);
+    RulerAnswer found = request.is_field
+                            ? surface.field(request.points.front(), progress)
+                            : surface.measure(request.kind, request.points, request.is_last, progress);
     progress.report(1.0, {});  // nothing is delivered once it was cancelled
     QMetaObject::invokeMethod(
         this, [this, request, found = std::move(found)] { take(request, found); }, Qt::QueuedConnection);
@@ -229,27 +333,121 @@ void RulerTool::post(RulerRequest request) {
   worker_.post(std::move(work), is_kept);
 }
 
+// ---- Points that are clicked one after the other, and steps back
+
+void RulerTool::choose(MeasureKind kind) {
+  kind_ = kind;
+  drag_.reset();
+  clicked_.clear();
+  show_clicked();
+}
+
+/// One that was released before its view was painted is asked now.
+void RulerTool::end_drag() {
+  if (drag_ && drag_->is_released && area_ != nullptr) area_->repaint();
+}
+
+/// Measures by the points that have been clicked.
+void RulerTool::finish() {
+  end_drag();
+  if (!surface_ || clicked_.empty()) return;
+  post({.surface = surface_, .step = ++step_, .is_last = true, .kind = kind_, .points = clicked_});
+  clicked_.clear();
+}
+
+void RulerTool::step_back() {
+  if (drag_) {
+    drag_.reset();
+  } else if (!clicked_.empty()) {
+    clicked_.pop_back();
+  }
+  show_clicked();
+}
+
+void RulerTool::show_clicked() {
+  ++step_;
+  live_.reset();
+  field_ = {};
+  if (surface_ && !clicked_.empty()) {
+    post({.surface = surface_, .step = step_, .kind = kind_, .points = clicked_});
+  }
+  repaint();
+}
+
+void RulerTool::measure_again() {
+  read_layer();
+  if (!surface_) return;
+  for (const Measurement& m : measurements_->all()) {
+    if (m.layer != layer_ || !m.is_of_another_mesh) continue;
+    post({.surface = surface_,
+          .is_last = true,
+          .kind = m.kind,
+          .points = picked_at(m.points),
+          .replaces = m.number});
+  }
+}
+
+/// The main window has shortcuts for some of these keys, which win unless the view claims them. Double clicks
+/// would move the camera.
+bool RulerTool::eventFilter(QObject* watched, QEvent* event) {
+  const bool is_making = drag_ || !clicked_.empty();
+  const bool is_clicking = !clicked_.empty() || (drag_ && takes_clicks(kind_) && !drag_->is_field);
+  if (event->type() == QEvent::MouseButtonDblClick && is_clicking) {
+    finish();
+    return true;
+  }
+  if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) {
+    const auto* key_event = static_cast<const QKeyEvent*>(event);
+    const int key = key_event->key();
+    const bool is_back = is_making && (key == Qt::Key_Escape || key == Qt::Key_Backspace);
+    const bool is_end = is_clicking && (key == Qt::Key_Return || key == Qt::Key_Enter);
+    const bool is_camera = key == Qt::Key_C && key_event->modifiers() == Qt::NoModifier;
+    if (is_back || is_end || is_camera) {
+      event->accept();
+      if (event->type() == QEvent::ShortcutOverride) return true;
+      if (is_back) step_back();
+      if (is_end) finish();
+      if (is_camera) QMetaObject::invokeMethod(area_->window(), "suspendEditMode");
+      return true;
+    }
+  }
+  return QObject::eventFilter(watched, event);
+}
+
 /// An answer has come. The surface may be another one by now, the drag may have ended.
 void RulerTool::take(const RulerRequest& request, const RulerAnswer& found) {
   if (request.surface != surface_ || document_ == nullptr) return;
-  if (!found.error.empty()) {
-    log(GLLogStream::WARNING, found.error);
-    if (dock_ != nullptr) dock_->show_status(QString::fromStdString(found.error));
-    return;
-  }
-  if (!found.is_on_surface || request.drag < 0) return;
-  if (request.drag == drags_) {
+  if (!found.error.empty()) return refuse(request, found.error);
+  const bool is_of_none = request.step == 0 && !request.is_last;
+  if (request.adds_point && request.step == step_ && !found.is_on_surface) clicked_.clear();
+  if (!found.is_on_surface || is_of_none) return;
+  if (request.step == step_) {
     log_.computed(found.seconds);
     live_ = found;
     is_new_ = true;
     if (found.is_field) color_field(found);
+    if (request.adds_point) clicked_ = picked_at(found.points);  // without places beside the surface
   }
   if (request.is_last) {
     if (found.is_field) {
       keep_field(found);
     } else {
-      keep_path(request, found);
+      keep(request, found);
     }
+  }
+  repaint();
+}
+
+/// Points that have been clicked stay, so that they can be changed.
+void RulerTool::refuse(const RulerRequest& request, const std::string& sentence) {
+  const bool is_drag = request.step != 0 && !request.is_last;
+  if (!is_drag) log(GLLogStream::WARNING, sentence);
+  if (dock_ != nullptr) dock_->show_status(QString::fromStdString(sentence));
+  if (request.step != step_) return;
+  if (request.is_last && takes_clicks(request.kind) && request.replaces == 0) {
+    clicked_ = request.points;
+  } else {
+    live_.reset();
   }
   repaint();
 }
@@ -274,16 +472,12 @@ void RulerTool::draw(const Transform& transform) {
     overlay.surface(field_);
     overlay.lines(live_->isolines, isoline_color, isoline_width, false);
   }
-  for (const Measurement& measurement : measurements_->all()) {
-    if (measurement.layer != layer_) continue;
-    const SurfaceLines& path = measurement.path.lines;
-    overlay.lines(shown_lines(path, measurement.from, measurement.to),
-                  path.points.empty() ? no_path_color : measured_color, line_width);
+  for (const Measurement& m : measurements_->all()) {
+    if (m.layer == layer_ && !m.is_hidden)
+      draw_lines(overlay, m.path.lines, m.values, m.points, measured_color);
   }
   if (live_ && !live_->is_field) {
-    const SurfaceLines& path = live_->lines.lines;
-    overlay.lines(shown_lines(path, live_->from, live_->to), path.points.empty() ? no_path_color : live_color,
-                  line_width);
+    draw_lines(overlay, live_->lines.lines, live_->values, live_->points, live_color);
   }
 }
 
@@ -292,13 +486,16 @@ std::vector<Label> RulerTool::labels(const SceneView& view) const {
   auto add = [&](const Point& at, const QString& text) {
     if (const auto pixel = view.pixel_of(at)) found.push_back({*pixel, text});
   };
-  for (const Measurement& measurement : measurements_->all()) {
-    if (measurement.layer != layer_) continue;
-    const auto text = QString::fromStdString(Measurements::label(measurement.length));
-    add(measurement.to, QString("%1: %2").arg(measurement.number).arg(text));
+  for (const Measurement& m : measurements_->all()) {
+    if (m.layer != layer_ || m.is_hidden || m.points.empty()) continue;
+    add(m.points.back(), QString::fromStdString(m.name + ": " + measurements_->label(m)));
   }
   if (live_ && !live_->is_field) {
-    add(live_->to, QString::fromStdString(Measurements::label(live_->length)));
+    Measurement live;
+    live.values = live_->values;
+    for (const Point& point : live_->points) add(point, {});
+    const QString text = QString::fromStdString(measurements_->label(live));
+    if (!text.isEmpty()) add(live_->points.back(), text);
   }
   return found;
 }
@@ -332,23 +529,42 @@ void RulerTool::color_field(const RulerAnswer& field) {
   }
 }
 
-void RulerTool::keep_path(const RulerRequest& request, const RulerAnswer& found) {
+void RulerTool::keep(const RulerRequest& request, const RulerAnswer& found) {
   const std::string method = name_of(found.how, true);
   const std::string drag = log_.sentence("paths", method);
-  if (!drag.empty() && request.drag == drags_) log(GLLogStream::FILTER, drag);
-  if (request.drag == drags_) live_.reset();
-  if (found.from == found.to) return;
-  const int number = measurements_->add({.layer = layer_,
-                                         .length = found.length,
-                                         .from = found.from,
-                                         .to = found.to,
-                                         .method = method,
-                                         .path = found.lines},
-                                        surface_->arrays());
-  log(GLLogStream::FILTER,
-      "Ruler: path " + std::to_string(number) +
-          (found.lines.lines.points.empty() ? ": no path, the points lie in different components"
-                                            : " of length " + logged_length(found.length) + ", " + method));
+  if (!drag.empty() && request.step == step_ && request.kind == MeasureKind::distance) {
+    log(GLLogStream::FILTER, drag);
+  }
+  if (request.step == step_) live_.reset();
+  const bool is_nothing = request.kind == MeasureKind::distance && found.points[0] == found.points[1];
+  if (found.values.empty() || is_nothing) return;
+  const MeshModel* layer = document_->getMesh(static_cast<unsigned>(layer_));
+  Measurement measurement{.name = {},
+                          .kind = request.kind,
+                          .layer = layer_,
+                          .layer_name = layer == nullptr ? "" : layer->label().toStdString(),
+                          .values = found.values,
+                          .points = found.points,
+                          .method = method,
+                          .path = found.lines};
+  const VcgMeshArrays& mesh = surface_->arrays();
+  const Measurement* kept = request.replaces == 0
+                                ? &measurements_->add(std::move(measurement), mesh)
+                                : measurements_->replace(request.replaces, std::move(measurement), mesh);
+  if (kept == nullptr) return;
+  show_status();
+  if (!std::isfinite(kept->values.front().value)) {
+    log(GLLogStream::FILTER, "Ruler: " + kept->name + ": no path, the points lie in different components");
+    return;
+  }
+  std::string text;
+  for (const auto& [what, value] : kept->values) {
+    text += std::string(text.empty() ? "" : ", ") + quantity_names[static_cast<std::size_t>(what)] + ' ' +
+            (what == Quantity::ratio || what == Quantity::angle || what == Quantity::area
+                 ? Measurements::four_digits(value)
+                 : logged_length(value));
+  }
+  log(GLLogStream::FILTER, "Ruler: " + kept->name + ": " + text + ", " + method);
 }
 
 void RulerTool::keep_field(const RulerAnswer& found) {
@@ -427,6 +643,8 @@ void RulerTool::prepared(const std::shared_ptr<RulerSurface>& surface,
   }
 }
 
+// ---- Text, and the files beside the mesh and the project
+
 void RulerTool::copy() const {
   QApplication::clipboard()->setText(QString::fromStdString(measurements_->table()));
 }
@@ -456,6 +674,52 @@ void RulerTool::save() {
     QMetaObject::invokeMethod(area_, "updateLayerTable");
   }
   repaint();
+}
+
+/// Beside the file of the project, as the host keeps nothing of tools in that; empty as long as it has none.
+QString RulerTool::file_of_project() const {
+  const QFileInfo project(document_ == nullptr ? QString() : document_->docLabel());
+  const bool is_project = project.suffix() == "mlp" || project.suffix() == "mlb";
+  return is_project && project.isFile() ? project.absoluteFilePath() + ".measurements" : QString();
+}
+
+void RulerTool::load(Measurements& list) {
+  QFile file(file_of_project());
+  if (file.fileName().isEmpty() || !file.open(QIODevice::ReadOnly)) return;
+  stored_file_ = file.fileName();
+  const auto layer_of = [this](const std::string& name) {
+    for (const MeshModel& layer : document_->meshIterator()) {
+      if (layer.label().toStdString() == name) return static_cast<int>(layer.id());
+    }
+    return -1;
+  };
+  try {
+    list.read(file.readAll().toStdString(), layer_of);
+    log(GLLogStream::FILTER, "Ruler: " + std::to_string(list.all().size()) + " measurements read from " +
+                                 stored_file_.toStdString());
+  } catch (const Error& error) {
+    const QString kept = stored_file_ + ".unreadable";
+    file.rename(kept);
+    log(GLLogStream::WARNING, "Ruler: " + stored_file_.toStdString() + ": " + error.what() +
+                                  " It is kept as " + kept.toStdString() + ".");
+  }
+  stored_revision_ = list.revision();
+}
+
+/// At every change, and when the project gets a file. A list without measurements makes no file.
+void RulerTool::store() {
+  const QString name = file_of_project();
+  if (name.isEmpty() || !measurements_) return;
+  if (name == stored_file_ && measurements_->revision() == stored_revision_) return;
+  if (measurements_->all().empty() && !QFile::exists(name)) return;
+  stored_file_ = name;
+  stored_revision_ = measurements_->revision();
+  QSaveFile file(name);
+  const QByteArray text = QByteArray::fromStdString(measurements_->text());
+  if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit()) {
+    log(GLLogStream::WARNING, "Ruler: the file " + name.toStdString() + " could not be written: " +
+                                  file.errorString().toStdString() + ". Save the project in another folder.");
+  }
 }
 
 }  // namespace vorogeo::plugin

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -31,8 +32,9 @@ class RulerShared {
 
   LayerCache& layers() { return *layers_; }
   void keep_layers_with(MeshDocument& document) const { keep_layers_with_(document); }
-  /// The list of a document, as long as a ruler holds it.
-  std::shared_ptr<Measurements> measurements_of(MeshDocument& document);
+  /// The list of a document, as long as a ruler holds it; a new one is passed to `made`.
+  std::shared_ptr<Measurements> measurements_of(MeshDocument& document,
+                                                const std::function<void(Measurements&)>& made);
 
  private:
   const std::shared_ptr<LayerCache> layers_;
@@ -40,14 +42,16 @@ class RulerShared {
   std::vector<std::pair<QPointer<MeshDocument>, std::weak_ptr<Measurements>>> measurements_;
 };
 
-/// What is asked while the mouse drags.
+/// What is asked while the mouse drags, at clicks, and when something is measured again.
 struct RulerRequest {
   std::shared_ptr<RulerSurface> surface;
-  int drag = 0;  ///< a number for each press of the mouse button; -1: of none
+  int step = 0;  ///< a number for each press of the mouse button and other step of the user; 0: of none
   bool is_field = false;
-  bool is_last = false;  ///< of its drag: the answer is kept
-  Picked from;
-  Picked to;  ///< for a path
+  bool is_last = false;     ///< the answer is kept
+  bool adds_point = false;  ///< those that have been clicked have become one more
+  MeasureKind kind = MeasureKind::distance;
+  std::vector<Picked> points;
+  int replaces = 0;  ///< the number of a measurement, or 0
 };
 
 /// Presses and moves of the mouse become requests, which one worker answers; painting shows the newest answer
@@ -68,12 +72,14 @@ class RulerTool : public QObject, public EditTool {
   void mousePressEvent(QMouseEvent* event, MeshModel& layer, GLArea* area) override;
   void mouseMoveEvent(QMouseEvent* event, MeshModel& layer, GLArea* area) override;
   void mouseReleaseEvent(QMouseEvent* event, MeshModel& layer, GLArea* area) override;
+  /// Of the view: keys and double clicks that end a measurement or take a step back.
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   /// A press of the button until its release. The view is captured when it is next painted.
   struct Drag {
-    int number;
     bool is_field;
+    bool moves_point;  ///< of a measurement, once it is found
     QPoint pressed;
     QPoint cursor;
     bool has_moved = false;
@@ -81,16 +87,27 @@ class RulerTool : public QObject, public EditTool {
     std::optional<SceneView> view;
     std::optional<Picked> from;
     std::optional<Picked> to;  ///< the last place on the surface
+    int measurement = 0;       ///< whose point moves
+    std::size_t point = 0;     ///< which one
   };
 
   void read_layer();
   void warm_up();
   void stop();
   void ask();
+  bool find_point();
+  std::optional<RulerRequest> request_of(const Drag& drag) const;
   void post(RulerRequest request);
   std::optional<Picked> pick(const QPoint& at) const;
+  void choose(MeasureKind kind);
+  void end_drag();
+  void finish();
+  void step_back();
+  void show_clicked();
+  void measure_again();
   void take(const RulerRequest& request, const RulerAnswer& answer);
-  void keep_path(const RulerRequest& request, const RulerAnswer& answer);
+  void refuse(const RulerRequest& request, const std::string& sentence);
+  void keep(const RulerRequest& request, const RulerAnswer& answer);
   void keep_field(const RulerAnswer& answer);
   void color_field(const RulerAnswer& field);
   void draw(const Transform& layer);
@@ -102,6 +119,9 @@ class RulerTool : public QObject, public EditTool {
   void stop_preparation();
   void copy() const;
   void save();
+  QString file_of_project() const;
+  void load(Measurements& list);
+  void store();
   void show_status();
   void repaint();
 
@@ -110,15 +130,20 @@ class RulerTool : public QObject, public EditTool {
   QPointer<MeshDocument> document_;
   MLSceneGLSharedDataContext* context_ = nullptr;
   QPointer<RulerDock> dock_;
-  QTimer ticks_;  ///< while an index is built
+  QTimer ticks_;   ///< while an index is built
+  QTimer stores_;  ///< from the first start on
+  QString stored_file_;
+  int stored_revision_ = -1;
 
   int layer_ = -1;  ///< the host's number of the layer that is measured
   std::shared_ptr<RulerSurface> surface_;
   QString why_not_;                             ///< without a surface
   std::shared_ptr<Measurements> measurements_;  ///< not null once the tool was started
 
-  int drags_ = 0;
+  MeasureKind kind_ = MeasureKind::distance;
+  int step_ = 0;
   std::optional<Drag> drag_;
+  std::vector<Picked> clicked_;  ///< of the measurement that is being made
   std::optional<RulerAnswer> live_;
   ColoredSurface field_;
   bool is_new_ = false;  ///< an answer has not been painted yet

@@ -97,6 +97,7 @@ constexpr double nearer_surface = 2e-4;
 constexpr float rim = 2.5F;
 constexpr float opacity_hidden = 0.6F;
 constexpr GLushort dots = 0x3333;
+constexpr double dot_radius = 3.5;
 
 }  // namespace
 
@@ -200,7 +201,14 @@ void draw_labels(QPainter& painter, const SceneView& view, const std::vector<Lab
   const QFontMetrics metrics(font);
   const double ratio = painter.device()->devicePixelRatioF();
   for (const Label& label : labels) {
-    const QPointF at(label.pixel.x() / ratio + 12.0, (view.height() - label.pixel.y()) / ratio - 12.0);
+    const QPointF place(label.pixel.x() / ratio, (view.height() - label.pixel.y()) / ratio);
+    if (label.text.isEmpty()) {
+      painter.setPen(Qt::black);
+      painter.setBrush(Qt::white);
+      painter.drawEllipse(place, dot_radius, dot_radius);
+      continue;
+    }
+    const QPointF at = place + QPointF(12.0, -12.0);
     QRectF ground = metrics.boundingRect(label.text);
     ground = ground.adjusted(-4.0, -2.0, 4.0, 2.0).translated(at);
     painter.setPen(Qt::NoPen);

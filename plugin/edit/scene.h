@@ -82,10 +82,11 @@ class Overlay {
 
 struct Label {
   QPointF pixel;  ///< from the lower left corner
-  QString text;
+  QString text;   ///< empty: a dot at the place itself
 };
 
-/// Light text on dark ground, beside its place. Ends and begins again the painter's native painting.
+/// Light text on dark ground, beside its place, and dots. Ends and begins again the painter's native
+/// painting.
 void draw_labels(QPainter& painter, const SceneView& view, const std::vector<Label>& labels);
 
 }  // namespace vorogeo::plugin

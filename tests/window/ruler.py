@@ -20,7 +20,8 @@ TOOL = "Geodesic ruler (VoroGeo)"
 SCALE = "Transform: Scale, Normalize"
 DELETE = "Delete Current Mesh"
 DOCK = "Geodesic ruler"
-COLUMNS = 5
+COLUMNS = 6
+HINTS = ("Drag on", "Click on")
 STEPS = 30  # of a drag
 # Places of the view: from its middle, in heights of the view, y upwards.
 SPHERE_LEFT, SPHERE_RIGHT = (-0.3, 0.0), (-0.12, 0.1)
@@ -63,6 +64,26 @@ class RulerWindow(MeshLabWindow):
                 command += ["mousemove", *self.pixel(between), "sleep", str(pause)]
         run("xdotool", *command, "sleep", "0.3", "mouseup", "1")
 
+    def click_at(self, *places: Place, times: int = 1) -> None:
+        """Click on the places one after the other, the last one so many times."""
+        for place in places:
+            count = times if place == places[-1] else 1
+            run("xdotool", "mousemove", *self.pixel(place), "sleep", "0.3")
+            run("xdotool", "click", "--repeat", str(count), "--delay", "80", "1")
+            time.sleep(0.7)  # no double click with the next one
+
+    def choose_kind(self, kind: str) -> None:
+        """Choose what is measured next."""
+        self.choose(self.find(Atspi.Role.COMBO_BOX, top=self.dock())[0], kind)
+
+    def choose_unit(self, unit: str) -> None:
+        """Choose what coordinates count in."""
+        self.choose(self.find(Atspi.Role.COMBO_BOX, top=self.dock())[1], unit)
+
+    def cell(self, text: str) -> Atspi.Accessible:
+        """The cell of the table with this text."""
+        return wait_for(f"the cell {text}", lambda: self.find(Atspi.Role.TABLE_CELL, text, self.dock()))[0]
+
     def rows(self) -> list[list[str]]:
         """The table of the dock, empty without a dock."""
         if self.dialog(DOCK) is None:
@@ -89,7 +110,7 @@ class RulerWindow(MeshLabWindow):
     def status(self) -> str:
         """What the dock says answers."""
         labels = [node.get_name() for node in self.find(Atspi.Role.LABEL, top=self.dock())]
-        return next(label for label in labels if not label.startswith("Drag on"))
+        return next(label for label in labels if not label.startswith(HINTS))
 
     def make_current(self, name: str) -> None:
         """Choose a layer; 2022.02 shows the names of files with their endings."""
@@ -265,7 +286,7 @@ class Ruler:
                 for _ in range(2):
                     already, before = len(window.ruler_lines()), window.processor_seconds()
                     window.drag(*there_and_back, pause=0.015)
-                    window.wait_for_line("path", already)
+                    window.wait_for_line("distance ", already)
                 after = window.processor_seconds()
                 self.seen[f"processor seconds {key}"] = {kind: after[kind] - before[kind] for kind in after}
                 self.note(window, f"large {key}")

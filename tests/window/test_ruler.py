@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import re
+from pathlib import Path
 
 import numpy as np
 import pymeshlab
@@ -16,17 +17,30 @@ PATH = "generate_polyline_by_vorogeo_geodesic_path"
 
 
 @pytest.fixture(scope="module")
-def saved() -> dict[int, dict[str, float | str]]:
+def saved() -> dict[int, dict[str, str]]:
     """The measurements that were saved, by number."""
-    with open(FOLDER / "ruler.csv", newline="") as file:
-        rows = list(csv.DictReader(file))
-    texts = ("method", "edited_since")
-    return {int(row["number"]): {key: v if key in texts else float(v) for key, v in row.items()} for row in rows}
+    return measurements(FOLDER / "ruler.csv")
 
 
-def end(row: dict, which: int) -> np.ndarray:
+def measurements(file: Path) -> dict[int, dict[str, str]]:
+    """The rows of a CSV file of the ruler, by number."""
+    with open(file, newline="") as lines:
+        return {int(row["number"]): row for row in csv.DictReader(lines)}
+
+
+def points_of(row: dict[str, str]) -> np.ndarray:
+    """The points of a measurement."""
+    return np.array([[float(x) for x in point.split()] for point in row["points"].split(";")])
+
+
+def end(row: dict[str, str], which: int) -> np.ndarray:
     """One end of a measurement."""
-    return np.array([row[f"{axis}{which}"] for axis in "xyz"])
+    return points_of(row)[which]
+
+
+def great_circle(a: np.ndarray, b: np.ndarray) -> float:
+    """Length of the arc between the directions of two points."""
+    return np.arccos(a @ b / (np.linalg.norm(a) * np.linalg.norm(b)))
 
 
 def around_the_hole(a: np.ndarray, b: np.ndarray) -> float:
@@ -55,26 +69,31 @@ def test_path_around_the_hole_has_the_length_of_tangents_and_arc(seen, saved):
     expected = around_the_hole(end(row, 0), end(row, 1))
     assert expected > np.linalg.norm(end(row, 0) - end(row, 1)) * 1.02
     # The rim has 256 edges: a chord is shorter than its arc by 2.5e-5.
-    assert row["length"] == pytest.approx(expected, rel=5e-5)
-    number, length, straight, ratio, method = seen["tables"]["plate"][0]
-    assert (number, method) == ("1", "exact")
-    assert float(length) == pytest.approx(row["length"], rel=1e-6)
-    assert float(straight) == pytest.approx(np.linalg.norm(end(row, 0) - end(row, 1)), rel=1e-6)
-    assert float(ratio) == pytest.approx(row["length"] / row["straight"], rel=1e-4)
+    length, straight = float(row["length"]), float(row["straight"])
+    assert length == pytest.approx(expected, rel=5e-5)
+    assert straight == pytest.approx(np.linalg.norm(end(row, 0) - end(row, 1)), rel=1e-12)
+    assert float(row["ratio"]) == pytest.approx(length / straight, rel=1e-12)
+    assert seen["tables"]["plate"][0] == [
+        *("1", "distance 1", "distance", f"{length:.4g}", "model"),
+        f"straight {straight:.4g}, ratio {length / straight:.4g}; exact",
+    ]
 
 
 def test_lengths_are_those_of_the_vertices_whatever_the_layers_matrix():
-    before, scaled = written_down("ruler_layer")["rows"]
+    found = [
+        re.match(r"Ruler: distance \d: .* straight ([0-9.]+)", line) for line in written_down("ruler_layer")["log"]
+    ]
+    before, scaled = (float(line[1]) for line in found if line)
     # The same two places of the view: scaled up, less of the layer lies between them.
-    assert float(before[2]) / float(scaled[2]) == pytest.approx(1.1, rel=1e-4)
+    assert before / scaled == pytest.approx(1.1, rel=1e-4)
 
 
 def test_path_on_the_sphere_is_a_great_circle(seen, saved):
     row = saved[3]
-    a, b = (end(row, i) / np.linalg.norm(end(row, i)) for i in (0, 1))
-    assert row["length"] == pytest.approx(np.arccos(a @ b), rel=2e-3)
-    assert row["length"] > 0.5
-    assert float(seen["tables"]["sphere"][2][1]) == pytest.approx(row["length"], rel=1e-6)
+    length = float(row["length"])
+    assert length == pytest.approx(great_circle(end(row, 0), end(row, 1)), rel=2e-3)
+    assert length > 0.5
+    assert seen["tables"]["sphere"][2][3] == f"{length:.4g}"
 
 
 def test_exact_paths_are_those_of_the_package(saved):
@@ -83,7 +102,7 @@ def test_exact_paths_are_those_of_the_package(saved):
         index = vorogeo.GeodesicIndex(vertices, faces)
         ends = index.snap([end(saved[number], 0), end(saved[number], 1)])
         assert ends.snap_distance.max() < 1e-6
-        assert index.exact_path(ends[0], ends[1]).length == pytest.approx(saved[number]["length"], rel=1e-9)
+        assert index.exact_path(ends[0], ends[1]).length == pytest.approx(float(saved[number]["length"]), rel=1e-9)
 
 
 def test_places_beside_the_current_layer_measure_nothing(seen):
@@ -91,8 +110,8 @@ def test_places_beside_the_current_layer_measure_nothing(seen):
 
 
 def test_another_component_has_no_path(seen, saved):
-    assert seen["tables"]["other component"][1][1] == "no path"
-    assert saved[2]["length"] == np.inf
+    assert seen["tables"]["other component"][1][3] == "no path"
+    assert saved[2]["length"] == "inf"
 
 
 def test_saved_layer_is_that_of_the_filter(saved):
@@ -106,10 +125,10 @@ def test_saved_layer_is_that_of_the_filter(saved):
     ends = {"source_point": end(saved[3], 0), "target_point": end(saved[3], 1)}
     found = mesh_set.apply_filter(PATH, exact=True, **ends)
     path = mesh_set.current_mesh()
-    assert found["length"] == pytest.approx(saved[3]["length"], rel=1e-6)
+    assert found["length"] == pytest.approx(float(saved[3]["length"]), rel=1e-6)
     assert lines.vertex_number() == path.vertex_number()
     np.testing.assert_allclose(lines.vertex_matrix(), path.vertex_matrix(), atol=1e-5)
-    assert lines.vertex_scalar_array()[-1] == pytest.approx(saved[3]["length"], rel=1e-6)
+    assert lines.vertex_scalar_array()[-1] == pytest.approx(float(saved[3]["length"]), rel=1e-6)
 
 
 def test_a_field_becomes_the_quality_of_the_vertices(seen):
@@ -132,7 +151,7 @@ def test_all_views_of_a_document_share_one_list(seen):
 
 
 def test_the_table_is_copied(seen):
-    assert all(name in seen["copied"] for name in ("No.", "Length", "Straight", "Ratio", "Method"))
+    assert all(name in seen["copied"] for name in ("No.", "Name", "Kind", "Value", "Unit", "Details"))
     assert all(cell in seen["copied"] for row in seen["tables"]["sphere"] for cell in row)
 
 
@@ -156,7 +175,7 @@ def test_the_index_is_built_on_the_side_and_not_used_after_an_edit(seen):
     assert seen["status exact"].startswith("Paths: exact, without an index. Distances: exact.")
     assert seen["status with index"].startswith("Paths: refined, from the index. Distances: index.")
     assert seen["status edited"].startswith("Paths: exact, without an index.")
-    methods = {row[4] for row in seen["tables"]["large edited"]}
+    methods = {row[5].partition("; ")[2] for row in seen["tables"]["large edited"]}
     assert methods == {"exact, before an edit", "refined, before an edit"}
 
 

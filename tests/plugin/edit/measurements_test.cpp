@@ -1,11 +1,15 @@
-// The list of measurements: numbers, table, CSV, lines, who is told, and which meshes were edited since.
+// The list of measurements: numbers, changes and their undoing, units, table, CSV, files, lines, who is told,
+// and which meshes were edited since.
 #include "edit/measurements.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "support/error.h"
 #include "support/types.h"
 
 namespace vorogeo::plugin {
@@ -17,9 +21,10 @@ using Cells = std::vector<std::string>;
 Measurement over_a_corner(int layer) {
   Measurement m;
   m.layer = layer;
-  m.length = 3.0;
-  m.from = {0.0, 0.0, 0.0};
-  m.to = {2.0, 1.0, 0.0};
+  m.layer_name = "layer " + std::to_string(layer);
+  m.values = {
+      {Quantity::length, 3.0}, {Quantity::straight, std::sqrt(5.0)}, {Quantity::ratio, 3.0 / std::sqrt(5.0)}};
+  m.points = {{0.0, 0.0, 0.0}, {2.0, 1.0, 0.0}};
   m.method = "exact";
   m.path.lines.points = {{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {2.0, 1.0, 0.0}};
   m.path.lines.segments = {{0, 1}, {1, 2}};
@@ -29,8 +34,16 @@ Measurement over_a_corner(int layer) {
 
 Measurement without_path(int layer) {
   Measurement m = over_a_corner(layer);
-  m.length = unreachable;
+  m.values[0].value = m.values[2].value = unreachable;
   m.path = {};
+  return m;
+}
+
+Measurement triangle_area() {
+  Measurement m = over_a_corner(0);
+  m.kind = MeasureKind::polygon;
+  m.values = {{Quantity::area, 12345.678}, {Quantity::perimeter, 1.0 / 3.0}};
+  m.points.push_back({0.5, 0.25, -1.0});
   return m;
 }
 
@@ -45,11 +58,11 @@ const VcgMeshArrays mesh = triangle(1.0);
 
 TEST(Measurements, NumbersAreNeverUsedAgain) {
   Measurements list;
-  EXPECT_EQ(list.add(over_a_corner(0), mesh), 1);
-  EXPECT_EQ(list.add(over_a_corner(0), mesh), 2);
+  EXPECT_EQ(list.add(over_a_corner(0), mesh).number, 1);
+  EXPECT_EQ(list.add(over_a_corner(0), mesh).number, 2);
   list.remove({2, 7});
   list.remove({2});
-  EXPECT_EQ(list.add(over_a_corner(0), mesh), 3);
+  EXPECT_EQ(list.add(over_a_corner(0), mesh).number, 3);
   ASSERT_EQ(list.all().size(), 2U);
   EXPECT_EQ(list.all()[1].number, 3);
 }
@@ -84,38 +97,180 @@ TEST(Measurements, OnlyThoseOfTheEditedLayerSaySo) {
   list.compare(4, triangle(2.0));
   EXPECT_EQ(told, 2);
   list.add(over_a_corner(4), triangle(2.0));
-  const auto method = [&](std::size_t i) { return Measurements::row(list.all()[i])[4]; };
-  EXPECT_EQ(method(0), "exact");
-  EXPECT_EQ(method(1), "exact, before an edit");
-  EXPECT_EQ(method(2), "exact");
+  const auto details = [&](std::size_t i) { return list.row(list.all()[i])[5]; };
+  EXPECT_EQ(details(0), "straight 2.236, ratio 1.342; exact");
+  EXPECT_EQ(details(1), "straight 2.236, ratio 1.342; exact, before an edit");
+  EXPECT_EQ(details(2), "straight 2.236, ratio 1.342; exact");
+  list.compare(4, mesh);  // the edit was undone
+  EXPECT_FALSE(list.all()[1].is_of_another_mesh);
+  EXPECT_TRUE(list.all()[2].is_of_another_mesh);
 }
 
-TEST(Measurements, RowsHaveLengthStraightDistanceAndTheirRatio) {
+TEST(Measurements, RowsHaveTheirValueWithItsUnitAndTheOtherQuantities) {
   Measurements list;
   list.add(over_a_corner(0), mesh);
   list.add(without_path(0), mesh);
-  EXPECT_EQ(Measurements::row(list.all()[0]), (Cells{"1", "3", "2.236068", "1.3416", "exact"}));
-  EXPECT_EQ(Measurements::row(list.all()[1]), (Cells{"2", "no path", "2.236068", "", "exact"}));
-  EXPECT_EQ(
-      list.table(),
-      "No.\tLength\tStraight\tRatio\tMethod\n1\t3\t2.236068\t1.3416\texact\n2\tno path\t2.236068\t\texact\n");
+  list.add(triangle_area(), mesh);
+  EXPECT_EQ(list.row(list.all()[0]),
+            (Cells{"1", "distance 1", "distance", "3", "model", "straight 2.236, ratio 1.342; exact"}));
+  list.set_unit(LengthUnit::mm);
+  EXPECT_EQ(list.row(list.all()[1]),
+            (Cells{"2", "distance 2", "distance", "no path", "mm", "straight 2.236; exact"}));
+  EXPECT_EQ(list.row(list.all()[2]),
+            (Cells{"3", "polygon 3", "polygon", "12346", "mm²", "perimeter 0.3333; exact"}));
+  EXPECT_EQ(list.table(),
+            "No.\tName\tKind\tValue\tUnit\tDetails\n"
+            "1\tdistance 1\tdistance\t3\tmm\tstraight 2.236, ratio 1.342; exact\n"
+            "2\tdistance 2\tdistance\tno path\tmm\tstraight 2.236; exact\n"
+            "3\tpolygon 3\tpolygon\t12346\tmm²\tperimeter 0.3333; exact\n");
+}
+
+TEST(Measurements, UnitsOfQuantities) {
+  EXPECT_EQ(unit_of(Quantity::radius, LengthUnit::inch), "inch");
+  EXPECT_EQ(unit_of(Quantity::area, LengthUnit::model), "model²");
+  EXPECT_EQ(unit_of(Quantity::angle, LengthUnit::cm), "°");
+  EXPECT_EQ(unit_of(Quantity::ratio, LengthUnit::m), "");
+}
+
+TEST(Measurements, LabelsHaveTheUnitThatWasSet) {
+  Measurements list;
+  list.add(over_a_corner(0), mesh);
+  list.add(without_path(0), mesh);
+  Measurement angle = over_a_corner(0);
+  angle.values = {{Quantity::angle, 45.0}};
+  list.add(angle, mesh);
+  const auto labels = [&] {
+    Cells texts;
+    for (const Measurement& m : list.all()) texts.push_back(list.label(m));
+    return texts;
+  };
+  EXPECT_EQ(labels(), (Cells{"3", "no path", "45°"}));
+  list.set_unit(LengthUnit::cm);
+  EXPECT_EQ(labels(), (Cells{"3 cm", "no path", "45°"}));
+  EXPECT_EQ(list.label({}), "");
+}
+
+TEST(Measurements, ChangesAreTakenBackOneByOne) {
+  Measurements list;
+  list.undo();
+  list.add(over_a_corner(0), mesh);
+  list.rename(1, "hip\nleft");
+  list.rename(1, "");
+  list.hide(1, true);
+  list.hide(7, true);
+  list.replace(1, triangle_area(), mesh);
+  EXPECT_EQ(list.replace(9, triangle_area(), mesh), nullptr);
+  const Measurement& only = *list.find(1);
+  EXPECT_EQ(only.name, "hip left");
+  EXPECT_TRUE(only.is_hidden);
+  EXPECT_EQ(only.kind, MeasureKind::polygon);
+  list.remove({1});
+  list.undo();
+  ASSERT_EQ(list.all().size(), 1U);
+  EXPECT_EQ(list.all()[0].kind, MeasureKind::polygon);
+  list.undo();
+  EXPECT_EQ(list.all()[0].kind, MeasureKind::distance);
+  EXPECT_TRUE(list.all()[0].is_hidden);
+  list.undo();
+  EXPECT_FALSE(list.all()[0].is_hidden);
+  list.undo();
+  EXPECT_EQ(list.all()[0].name, "distance 1");
+  list.undo();
+  EXPECT_TRUE(list.all().empty());
+  EXPECT_EQ(list.find(1), nullptr);
 }
 
 TEST(Measurements, LabelsHaveFourDigitsAndThoseOfTheWholePart) {
   const std::vector<double> lengths = {0.0, 0.12345678, 1.0 / 3e6, 9999.4, 9999.7, 123456.78, unreachable};
   Cells labels;
-  for (double length : lengths) labels.push_back(Measurements::label(length));
+  for (double length : lengths) labels.push_back(Measurements::four_digits(length));
   EXPECT_EQ(labels, (Cells{"0", "0.1235", "3.333e-07", "9999", "9999.7", "123457", "no path"}));
 }
 
-TEST(Measurements, CsvHasAllDigitsAndTheEnds) {
+TEST(Measurements, CsvHasAllDigitsAColumnForEachQuantityAndThePoints) {
   Measurements list;
   list.add(over_a_corner(7), mesh);
   list.add(without_path(7), mesh);
+  list.add(triangle_area(), mesh);
+  list.rename(3, "neck, \"left\"");
+  list.set_unit(LengthUnit::mm);
   EXPECT_EQ(list.csv(),
-            "number,layer,length,straight,ratio,method,edited_since,x0,y0,z0,x1,y1,z1\n"
-            "1,7,3,2.2360679774997898,1.3416407864998738,exact,0,0,0,0,2,1,0\n"
-            "2,7,inf,2.2360679774997898,inf,exact,0,0,0,0,2,1,0\n");
+            "number,name,kind,layer,unit,method,edited_since,length,straight,ratio,area,perimeter,tape,"
+            "section,loop,radius,border,angle,points\n"
+            "1,distance 1,distance,layer 7,mm,exact,0,3,2.2360679774997898,1.3416407864998738,,,,,,,,,"
+            "0 0 0;2 1 0\n"
+            "2,distance 2,distance,layer 7,mm,exact,0,inf,2.2360679774997898,inf,,,,,,,,,0 0 0;2 1 0\n"
+            "3,\"neck, \"\"left\"\"\",polygon,layer 0,mm,exact,0,,,,12345.678,0.33333333333333331,,,,,,,"
+            "0 0 0;2 1 0;0.5 0.25 -1\n");
+}
+
+TEST(Measurements, FilesAreReadAsTheyWereWritten) {
+  Measurements list;
+  list.add(over_a_corner(0), mesh);
+  list.add(without_path(3), mesh);
+  list.add(triangle_area(), mesh);
+  list.add(triangle_area(), mesh);
+  list.remove({4});
+  list.rename(3, "  a name, \"with\" all ");
+  list.hide(3, true);
+  list.set_unit(LengthUnit::cm);
+  Measurements other;
+  other.read(list.text(), [](const std::string& name) { return name == "layer 3" ? 8 : -1; });
+  EXPECT_EQ(other.text(), list.text());
+  EXPECT_EQ(other.unit(), LengthUnit::cm);
+  ASSERT_EQ(other.all().size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Measurement& read = other.all()[i];
+    const Measurement& written = list.all()[i];
+    EXPECT_EQ(read.number, written.number);
+    EXPECT_EQ(read.name, written.name);
+    EXPECT_EQ(read.kind, written.kind);
+    EXPECT_EQ(read.layer, i == 1 ? 8 : -1);
+    EXPECT_EQ(read.values, written.values);
+    EXPECT_EQ(read.points, written.points);
+    EXPECT_EQ(read.method, written.method);
+    EXPECT_EQ(read.path.lines.points, written.path.lines.points);
+    EXPECT_EQ(read.path.lines.segments, written.path.lines.segments);
+    EXPECT_EQ(read.path.along, written.path.along);
+    EXPECT_EQ(read.is_hidden, written.is_hidden);
+  }
+  other.compare(8, mesh);
+  EXPECT_FALSE(other.all()[1].is_of_another_mesh);
+  other.compare(8, triangle(2.0));
+  EXPECT_TRUE(other.all()[1].is_of_another_mesh);
+  EXPECT_EQ(other.add(over_a_corner(0), mesh).number, 5);
+}
+
+TEST(Measurements, DamagedFilesChangeNothingAndNameTheLine) {
+  Measurements list;
+  list.add(over_a_corner(0), mesh);
+  const std::string text = list.text();
+  const auto sentence_of = [&](const std::string& damaged) -> std::string {
+    try {
+      list.read(damaged, [](const std::string&) { return 0; });
+    } catch (const InvalidInput& error) {
+      return error.what();
+    }
+    return {};
+  };
+  EXPECT_NE(sentence_of("").find("does not begin with 'VoroGeo measurements 1'"), std::string::npos);
+  const std::vector<std::pair<std::string, std::string>> spoilt = {{"unit model", "unit ell"},
+                                                                   {"distance exact", "dance exact"},
+                                                                   {"value length 3", "value length x"},
+                                                                   {"value length", "value"},
+                                                                   {"point 0 0 0", "point 0 0"},
+                                                                   {"segment 1 2", "segment 1 3"},
+                                                                   {"last 1", "last"},
+                                                                   {"measurement 1", "measurement none 1"},
+                                                                   {"vertex 0", "vortex 0"}};
+  for (const auto& [good, bad] : spoilt) {
+    std::string damaged = text;
+    ASSERT_NE(text.find(good), std::string::npos) << good;
+    damaged.replace(text.find(good), good.size(), bad);
+    EXPECT_NE(sentence_of(damaged).find("of the measurements cannot be read: '"), std::string::npos) << bad;
+  }
+  EXPECT_EQ(list.text(), text);
+  EXPECT_EQ(sentence_of(text), "");
 }
 
 TEST(Measurements, LinesOfALayerFollowOneAnother) {

@@ -1,5 +1,5 @@
-// What answers the ruler: paths and fields with and without an index, places beside the surface, isoline
-// values.
+// What answers the ruler: measurements of all kinds and fields, with and without an index, places beside the
+// surface, isoline values.
 #include "edit/ruler_surface.h"
 
 #include <gtest/gtest.h>
@@ -31,6 +31,21 @@ std::shared_ptr<LayerSurface> layer_of(const test::Soup& soup, const GapLimit& g
 
 constexpr double tolerance = 1e-6;
 
+std::vector<Picked> picked(const std::vector<Point>& points) {
+  std::vector<Picked> found;
+  for (const Point& point : points) found.push_back({point, tolerance});
+  return found;
+}
+
+double value_of(const RulerAnswer& answer, Quantity what) {
+  const auto found = std::ranges::find(answer.values, what, &Value::what);
+  return found == answer.values.end() ? std::nan("") : found->value;
+}
+
+double length_between(RulerSurface& surface, const Picked& from, const Picked& to) {
+  return value_of(surface.measure(MeasureKind::distance, {from, to}), Quantity::length);
+}
+
 TEST(RulerSurface, PathsOfAPlateAreStraightWithAndWithoutAnIndex) {
   const test::Soup plate = test::plane_grid(12, 9, 4.0, 3.0, 0.2).soup;
   RulerSurface surface(layer_of(plate));
@@ -38,12 +53,15 @@ TEST(RulerSurface, PathsOfAPlateAreStraightWithAndWithoutAnIndex) {
   const Picked to{{3.4, 2.7, 0.0}, tolerance};
   const double expected = std::hypot(3.4 - 0.31, 2.7 - 0.22);
   for (AnswerMethod how : {AnswerMethod::exact, AnswerMethod::index}) {
-    const RulerAnswer answer = surface.path(from, to);
+    const RulerAnswer answer = surface.measure(MeasureKind::distance, {from, to});
     EXPECT_TRUE(answer.is_on_surface);
     EXPECT_EQ(answer.how, how);
-    EXPECT_NEAR(answer.length, expected, 1e-9);
-    EXPECT_NEAR(distance_between(answer.from, from.at), 0.0, 1e-7);
-    EXPECT_NEAR(distance_between(answer.to, to.at), 0.0, 1e-7);
+    ASSERT_EQ(answer.values.size(), 3U);
+    EXPECT_NEAR(value_of(answer, Quantity::length), expected, 1e-9);
+    EXPECT_NEAR(value_of(answer, Quantity::straight), expected, 1e-9);
+    EXPECT_NEAR(value_of(answer, Quantity::ratio), 1.0, 1e-9);
+    EXPECT_NEAR(distance_between(answer.points[0], from.at), 0.0, 1e-7);
+    EXPECT_NEAR(distance_between(answer.points[1], to.at), 0.0, 1e-7);
     surface.layer()->use(test::make_index(plate, 2, 2));
   }
 }
@@ -52,10 +70,15 @@ TEST(RulerSurface, PlacesBesideTheSurfaceAreNoEnds) {
   RulerSurface surface(layer_of(test::plane_grid(4, 4, 1.0, 1.0).soup));
   const Picked on{{0.5, 0.5, 0.0}, tolerance};
   const Picked above{{0.5, 0.5, 0.1}, tolerance};
-  EXPECT_FALSE(surface.path(above, on).is_on_surface);
-  EXPECT_FALSE(surface.path(on, above).is_on_surface);
+  EXPECT_FALSE(surface.measure(MeasureKind::distance, {above, on}).is_on_surface);
+  EXPECT_FALSE(surface.measure(MeasureKind::distance, {on, above}).is_on_surface);
   EXPECT_FALSE(surface.field(above).is_on_surface);
-  EXPECT_TRUE(surface.path(on, {above.at, 0.11}).is_on_surface);
+  EXPECT_TRUE(surface.measure(MeasureKind::distance, {on, {above.at, 0.11}}).is_on_surface);
+  // Of points that are clicked, the others remain.
+  const RulerAnswer clicked = surface.measure(MeasureKind::path, {on, above, {{0.9, 0.5, 0.0}, tolerance}});
+  EXPECT_EQ(clicked.points.size(), 2U);
+  EXPECT_NEAR(value_of(clicked, Quantity::length), 0.4, 1e-9);
+  EXPECT_FALSE(surface.measure(MeasureKind::path, {above}, false).is_on_surface);
 }
 
 TEST(RulerSurface, NoPathToAnotherComponent) {
@@ -65,10 +88,18 @@ TEST(RulerSurface, NoPathToAnotherComponent) {
   RulerSurface surface(layer_of(both));
   const Picked from{{0.5, 0.5, 0.0}, tolerance};
   for (int i = 0; i < 2; ++i) {
-    const RulerAnswer answer = surface.path(from, {{3.5, 0.5, 0.0}, tolerance});
+    const Picked to{{3.5, 0.5, 0.0}, tolerance};
+    const RulerAnswer answer = surface.measure(MeasureKind::distance, {from, to});
     EXPECT_TRUE(answer.is_on_surface);
     EXPECT_TRUE(answer.lines.lines.points.empty());
-    EXPECT_EQ(answer.length, unreachable);
+    EXPECT_EQ(value_of(answer, Quantity::length), unreachable);
+    for (const bool is_last : {false, true}) {
+      EXPECT_NE(
+          surface.measure(MeasureKind::path, {from, to}, is_last).error.find("No path leads from point 0"),
+          std::string::npos);
+    }
+    EXPECT_NE(surface.measure(MeasureKind::disk, {from, to}).error.find("No path leads from the centre"),
+              std::string::npos);
     const RulerAnswer field = surface.field(from);
     EXPECT_NEAR(field.largest, std::sqrt(0.5), 1e-6);
     EXPECT_EQ(field.distances.back(), unreachable);
@@ -114,9 +145,9 @@ TEST(RulerSurface, MeasuresOverTheGapsThatItBridges) {
   const Picked from{{0.4, 0.2, 0.0}, tolerance};
   const Picked to{{1.7, 0.9, 0.0}, tolerance};
   RulerSurface apart(layer_of(plates.soup));
-  EXPECT_EQ(apart.path(from, to).length, unreachable);
+  EXPECT_EQ(length_between(apart, from, to), unreachable);
   RulerSurface bridged(layer_of(plates.soup, {0.02}));
-  EXPECT_NEAR(bridged.path(from, to).length, distance_between(from.at, to.at), 1e-9);
+  EXPECT_NEAR(length_between(bridged, from, to), distance_between(from.at, to.at), 1e-9);
   const RulerAnswer field = bridged.field(from);
   const auto corner = plates.soup.positions.size() - 1;
   EXPECT_NEAR(field.distances[corner], distance_between(from.at, plates.soup.positions[corner]), 1e-9);
@@ -145,7 +176,7 @@ TEST(RulerSurface, ErrorsOfAMeshAreSentences) {
   VcgMeshArrays bad = arrays_of(test::plane_grid(2, 2, 1.0, 1.0).soup);
   bad.faces[0][1] = 77;
   RulerSurface surface(std::make_shared<LayerSurface>(bad));
-  for (const RulerAnswer& found : {surface.path({}, {}), surface.field({})}) {
+  for (const RulerAnswer& found : {surface.measure(MeasureKind::distance, {{}, {}}), surface.field({})}) {
     EXPECT_NE(found.error.find("77"), std::string::npos) << found.error;
     EXPECT_FALSE(found.is_on_surface);
   }
@@ -153,11 +184,87 @@ TEST(RulerSurface, ErrorsOfAMeshAreSentences) {
 
 TEST(RulerSurface, APathComesAsALineOfItsLength) {
   RulerSurface surface(layer_of(test::plane_grid(5, 5, 1.0, 1.0).soup));
-  const RulerAnswer found = surface.path({{0.1, 0.1, 0.0}, tolerance}, {{0.9, 0.7, 0.0}, tolerance});
+  const RulerAnswer found =
+      surface.measure(MeasureKind::distance, picked({{0.1, 0.1, 0.0}, {0.9, 0.7, 0.0}}));
   EXPECT_EQ(found.error, "");
   EXPECT_NEAR(found.lines.lines.length(), 1.0, 1e-12);
   EXPECT_NEAR(found.lines.along.back(), 1.0, 1e-12);
   EXPECT_GT(found.seconds, 0.0);
+}
+
+// ---- Other kinds than distances
+
+TEST(RulerSurface, PathsThroughPointsGrowPointByPoint) {
+  RulerSurface surface(layer_of(test::plane_grid(9, 9, 1.0, 1.0).soup));
+  const std::vector<Point> points = {{0.1, 0.1, 0.0}, {0.5, 0.4, 0.0}, {0.5, 0.8, 0.0}, {0.2, 0.8, 0.0}};
+  const std::vector<double> lengths = {0.0, 0.5, 0.9, 1.2};
+  for (std::size_t count = 1; count <= points.size(); ++count) {
+    const std::vector<Point> first(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(count));
+    const RulerAnswer shown = surface.measure(MeasureKind::path, picked(first), false);
+    EXPECT_EQ(shown.error, "");
+    EXPECT_EQ(shown.values.empty(), count == 1);
+    if (count > 1) EXPECT_NEAR(value_of(shown, Quantity::length), lengths[count - 1], 1e-9);
+    EXPECT_NEAR(shown.lines.lines.length(), lengths[count - 1], 1e-9);
+  }
+  EXPECT_NEAR(value_of(surface.measure(MeasureKind::path, picked(points)), Quantity::length), 1.2, 1e-9);
+  EXPECT_NE(surface.measure(MeasureKind::path, picked({points[0]})).error, "");
+}
+
+TEST(RulerSurface, PolygonsHaveAreaAndPerimeter) {
+  RulerSurface surface(layer_of(test::plane_grid(9, 9, 1.0, 1.0).soup));
+  const std::vector<Point> points = {{0.1, 0.1, 0.0}, {0.9, 0.1, 0.0}, {0.9, 0.7, 0.0}};
+  const RulerAnswer shown = surface.measure(MeasureKind::polygon, picked(points), false);
+  EXPECT_NEAR(value_of(shown, Quantity::perimeter), 0.8 + 0.6 + 1.0, 1e-9);
+  const RulerAnswer found = surface.measure(MeasureKind::polygon, picked(points));
+  EXPECT_NEAR(value_of(found, Quantity::area), 0.24, 1e-9);
+  EXPECT_NEAR(value_of(found, Quantity::perimeter), 2.4, 1e-9);
+  EXPECT_NEAR(found.lines.lines.length(), 2.4, 1e-9);
+  EXPECT_NE(surface.measure(MeasureKind::polygon, picked({points[0], points[1]})).error.find("three points"),
+            std::string::npos);
+}
+
+TEST(RulerSurface, DisksHaveTheAreaOfTheirRadius) {
+  RulerSurface surface(layer_of(test::plane_grid(9, 9, 1.0, 1.0).soup));
+  const RulerAnswer disk = surface.measure(MeasureKind::disk, picked({{0.5, 0.5, 0.0}, {0.8, 0.5, 0.0}}));
+  EXPECT_NEAR(value_of(disk, Quantity::radius), 0.3, 1e-9);
+  EXPECT_NEAR(value_of(disk, Quantity::area), 0.09 * std::numbers::pi, 1e-9);
+  EXPECT_NEAR(value_of(disk, Quantity::border), 0.6 * std::numbers::pi, 1e-9);
+  for (const Point& point : disk.lines.lines.points) {
+    EXPECT_NEAR(distance_between(point, {0.5, 0.5, 0.0}), 0.3, 1e-9);
+  }
+  EXPECT_FALSE(disk.lines.lines.points.empty());
+}
+
+TEST(RulerSurface, AnglesAreThoseOfTheFacesAtTheSecondPoint) {
+  RulerSurface plane(layer_of(test::plane_grid(9, 9, 1.0, 1.0).soup));
+  const std::vector<Point> points = {{0.9, 0.1, 0.0}, {0.1, 0.1, 0.0}, {0.5, 0.5, 0.0}};
+  const RulerAnswer found = plane.measure(MeasureKind::angle, picked(points));
+  EXPECT_EQ(found.error, "");
+  EXPECT_NEAR(value_of(found, Quantity::angle), 45.0, 1e-7);
+  EXPECT_NE(plane.measure(MeasureKind::angle, picked({points[0], points[1]})).error.find("three points"),
+            std::string::npos);
+  EXPECT_NE(plane.measure(MeasureKind::angle, picked({points[0], points[1], points[1]})).error.find("same"),
+            std::string::npos);
+}
+
+TEST(RulerSurface, TapesAndLoopsGoRoundATube) {
+  constexpr int sides = 12;
+  constexpr double perimeter = sides * 0.5;
+  RulerSurface tube(layer_of(test::prism(sides, 1, 6, 0.5, 3.0).soup));
+  // On the first side, a quarter of it from its first edge.
+  const double radius = 0.25 / std::sin(std::numbers::pi / sides);
+  const double turn = 2.0 * std::numbers::pi / sides;
+  const Point middle{radius * (0.75 + 0.25 * std::cos(turn)), radius * 0.25 * std::sin(turn), 1.3};
+  const RulerAnswer tape = tube.measure(MeasureKind::tape, picked({middle}));
+  ASSERT_EQ(tape.error, "");
+  for (Quantity what : {Quantity::tape, Quantity::section, Quantity::loop}) {
+    EXPECT_NEAR(value_of(tape, what), perimeter, 1e-6);
+  }
+  const RulerAnswer loop = tube.measure(MeasureKind::loop, picked({middle}));
+  ASSERT_EQ(loop.error, "");
+  EXPECT_NEAR(value_of(loop, Quantity::length), perimeter, 1e-6);
+  RulerSurface sphere(layer_of(test::icosphere(2)));
+  EXPECT_NE(sphere.measure(MeasureKind::loop, {{{0.0, 0.0, 1.0}, 0.1}}).error, "");
 }
 
 }  // namespace
