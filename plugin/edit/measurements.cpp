@@ -358,12 +358,12 @@ bool begin_measurement(const std::string& line, Measurement& m) {
   if (words.word() != "measurement") return false;
   m.number = words.number<int>();
   const std::string kind = words.word();
-  const auto text = std::ranges::find_if(kind_texts, [&](const KindText& one) { return one.name == kind; });
-  m.kind = static_cast<MeasureKind>(text - kind_texts.begin());
+  const auto text = std::ranges::find_if(kinds, [&](const KindOfMeasure& one) { return one.name == kind; });
+  m.kind = static_cast<MeasureKind>(text - kinds.begin());
   m.method = words.word();
   m.mesh = words.number<std::uint64_t>();
   m.is_hidden = words.number<int>() != 0;
-  return words.is_good() && text != kind_texts.end();
+  return words.is_good() && text != kinds.end();
 }
 
 }  // namespace
@@ -400,7 +400,13 @@ void Measurements::read(const std::string& text, const std::function<int(const s
                          "'; it was damaged, or is of another version.");
     }
   }
-  for (Measurement& m : found) m.layer = layer_of(m.layer_name);
+  for (Measurement& m : found) {
+    if (m.points.size() < least_points(m.kind)) {
+      throw InvalidInput("Measurement " + std::to_string(m.number) +
+                         " has too few points: the file is damaged.");
+    }
+    m.layer = layer_of(m.layer_name);
+  }
   all_ = std::move(found);
   before_.clear();
   unit_ = static_cast<LengthUnit>(unit);

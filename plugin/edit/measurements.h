@@ -20,20 +20,24 @@ namespace vorogeo::plugin {
 
 enum class MeasureKind : std::uint8_t { distance, path, polygon, loop, tape, disk, angle };
 
-/// By kind: its name, and how it is measured.
-struct KindText {
+/// By kind: its name, how it is measured, and how many points it has at least.
+struct KindOfMeasure {
   const char* name;
   const char* hint;
+  std::size_t least_points;
 };
-inline constexpr std::array<KindText, 7> kind_texts{
-    {{"distance", "Drag on the surface from one point to another: the shortest path."},
-     {"path", "Click on points: the shortest path through them. Double click or Enter ends it."},
-     {"polygon", "Click on corners: area and perimeter. Double click or Enter ends it."},
-     {"loop", "Drag on the surface: the shortest loop that cannot be contracted to the cursor."},
-     {"tape", "Drag on a limb: the tape measure round it at the cursor."},
-     {"disk", "Drag on the surface from the centre to the border of a disk: its area and radius."},
-     {"angle", "Click on three points: the angle at the second between the paths to the others."}}};
-inline const char* name_of(MeasureKind kind) { return kind_texts[static_cast<std::size_t>(kind)].name; }
+inline constexpr std::array<KindOfMeasure, 7> kinds{
+    {{"distance", "Drag on the surface from one point to another: the shortest path.", 2},
+     {"path", "Click on points: the path through them. Double click or Enter ends it.", 2},
+     {"polygon", "Click on corners: area and perimeter. Double click or Enter ends it.", 3},
+     {"loop", "Drag on the surface: the shortest loop there that cannot be contracted.", 1},
+     {"tape", "Drag on a limb: the tape measure round it at the cursor.", 1},
+     {"disk", "Drag on the surface from the centre of a disk to its border.", 2},
+     {"angle", "Click on three points: the angle at the second one.", 3}}};
+inline const char* name_of(MeasureKind kind) { return kinds[static_cast<std::size_t>(kind)].name; }
+inline std::size_t least_points(MeasureKind kind) {
+  return kinds[static_cast<std::size_t>(kind)].least_points;
+}
 /// Whether points are clicked one after the other until an end, not dragged.
 inline bool takes_clicks(MeasureKind kind) {
   return kind == MeasureKind::path || kind == MeasureKind::polygon || kind == MeasureKind::angle;

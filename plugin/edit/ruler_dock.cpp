@@ -1,6 +1,8 @@
 // The widgets of the dock.
 #include "edit/ruler_dock.h"
 
+#include <QAbstractItemView>
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -14,8 +16,8 @@ namespace {
 
 constexpr int name_column = 1;
 constexpr const char* help =
-    "\nShift and drag: distances from a point. Ctrl and drag: move a point of a measurement."
-    "\nBackspace, Esc: a step back. Esc: move the camera, and back; C: also between two clicks.";
+    "\nShift and drag: distances from a point. Ctrl and drag: move a point."
+    "\nBackspace, Esc: a step back; then Esc: the camera, and back; C: at any time.";
 
 }  // namespace
 
@@ -27,20 +29,21 @@ RulerDock::RulerDock(QWidget* parent, Actions actions)
   const auto add_choice = [&](const char* tip) {
     auto* box = new QComboBox(body);
     box->setToolTip(tip);
+    box->view();  // made now, so that eventFilter() gets the keys of its list
     choices->addWidget(box);
     return box;
   };
-  auto* kinds = add_choice("What is measured next.");
-  for (const KindText& kind : kind_texts) kinds->addItem(kind.name);
+  auto* kind_box = add_choice("What is measured next.");
+  for (const KindOfMeasure& kind : kinds) kind_box->addItem(kind.name);
   unit_ = add_choice("What the coordinates count in; values are not converted.");
   for (const char* unit : unit_names) unit_->addItem(unit);
   rows->addLayout(choices);
-  hint_ = new QLabel(QString(kind_texts.front().hint) + help, body);
+  hint_ = new QLabel(QString(kinds.front().hint) + help, body);
   hint_->setWordWrap(true);
   rows->addWidget(hint_);
   const auto chosen_one = QOverload<int>::of(&QComboBox::activated);
-  connect(kinds, chosen_one, this, [this](int number) {
-    hint_->setText(QString(kind_texts[static_cast<std::size_t>(number)].hint) + help);
+  connect(kind_box, chosen_one, this, [this](int number) {
+    hint_->setText(QString(kinds[static_cast<std::size_t>(number)].hint) + help);
     actions_.choose_kind(static_cast<MeasureKind>(number));
   });
   connect(unit_, chosen_one, this,
@@ -99,6 +102,11 @@ bool RulerDock::eventFilter(QObject* watched, QEvent* event) {
     const bool is_copy = key->matches(QKeySequence::Copy);
     const bool is_delete = key->matches(QKeySequence::Delete);
     const bool is_undo = key->matches(QKeySequence::Undo);
+    const bool closes_list = key->key() == Qt::Key_Escape && QApplication::activePopupWidget() != nullptr;
+    if (closes_list && event->type() == QEvent::ShortcutOverride) {
+      event->accept();
+      return true;
+    }
     if (is_copy || is_delete || is_undo) {
       event->accept();
       if (event->type() == QEvent::KeyPress && is_copy) actions_.copy();

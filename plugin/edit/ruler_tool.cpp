@@ -29,7 +29,7 @@ constexpr float line_width = 3.0F;
 constexpr float isoline_width = 1.5F;
 constexpr std::chrono::milliseconds tick_of_preparation{200};
 constexpr int columns = 4;
-constexpr QSize dock_size(430, 350);
+constexpr QSize dock_size(460, 350);
 constexpr std::chrono::seconds tick_of_storing{1};
 /// Pixels from a point of a measurement at which it is taken by the mouse.
 constexpr double reach_of_points = 10.0;
@@ -52,6 +52,19 @@ void draw_lines(Overlay& overlay, const SurfaceLines& lines, const std::vector<V
   } else {
     overlay.lines(lines, color, line_width);
   }
+}
+
+/// At the angle, in the middle of a polygon, otherwise at the last point.
+Point place_of_label(MeasureKind kind, const std::vector<Point>& points) {
+  if (kind == MeasureKind::angle) return points[1];
+  if (kind != MeasureKind::polygon) return points.back();
+  Point middle{};
+  for (const Point& point : points) {
+    for (std::size_t i = 0; i < middle.size(); ++i) {
+      middle[i] += point[i] / static_cast<double>(points.size());
+    }
+  }
+  return middle;
 }
 
 /// As they are on the surface already, however far an edit has moved it.
@@ -313,10 +326,8 @@ void RulerTool::ask() {
     post(*request);
   }
   if (drag.is_released) drag_.reset();
-  constexpr std::size_t points_of_angle = 3;
-  if (request && request->adds_point && kind_ == MeasureKind::angle && clicked_.size() == points_of_angle) {
-    finish();
-  }
+  const bool is_angle = kind_ == MeasureKind::angle && clicked_.size() == least_points(kind_);
+  if (request && request->adds_point && is_angle) finish();
 }
 
 void RulerTool::post(RulerRequest request) {
@@ -488,7 +499,9 @@ std::vector<Label> RulerTool::labels(const SceneView& view) const {
   };
   for (const Measurement& m : measurements_->all()) {
     if (m.layer != layer_ || m.is_hidden || m.points.empty()) continue;
-    add(m.points.back(), QString::fromStdString(m.name + ": " + measurements_->label(m)));
+    const std::string text = m.name + ": " + measurements_->label(m);
+    add(place_of_label(m.kind, m.points),
+        QString::fromStdString(text + (m.is_of_another_mesh ? ", before an edit" : "")));
   }
   if (live_ && !live_->is_field) {
     Measurement live;

@@ -64,7 +64,7 @@ class RulerTable(Script):
         self.window.drag(PLATE_LEFT, PLATE_RIGHT)
         self.window.wait_for_rows(2)
         self.window.choose_kind("angle")
-        self.window.click_at(*CORNERS)
+        self.window.click_at(CORNERS[1], CORNERS[0], CORNERS[2])
         self.window.wait_for_rows(3)
         self.note("plate")
 

@@ -269,6 +269,10 @@ TEST(Measurements, DamagedFilesChangeNothingAndNameTheLine) {
     damaged.replace(text.find(good), good.size(), bad);
     EXPECT_NE(sentence_of(damaged).find("of the measurements cannot be read: '"), std::string::npos) << bad;
   }
+  std::string without_point = text;
+  const std::string first_point = "point 0 0 0\n";
+  without_point.erase(without_point.find(first_point), first_point.size());
+  EXPECT_NE(sentence_of(without_point).find("Measurement 1 has too few points"), std::string::npos);
   EXPECT_EQ(list.text(), text);
   EXPECT_EQ(sentence_of(text), "");
 }
