@@ -116,7 +116,6 @@ class RulerTable(Script):
         self.window.click(self.window.cell("tape 5"))
         self.window.keys("space")
         self.note("changed")
-        self.window.click(self.window.cell("3"))
         self.window.press(self.window.dock(), "Delete")
         self.window.wait_for_rows(6)
         self.window.press(self.window.dock(), "Undo")
@@ -136,13 +135,19 @@ class RulerTable(Script):
         self.note("again")
 
     def reopen(self) -> None:
-        """The project has the measurements in another window."""
+        """The project has the measurements in another window, and keeps them when it is saved under another name."""
         self.window.quit()
         self.seen["stored"] = (self.folder / "meshes" / "table.mlp.measurements").read_text()
         self.window = self.open()
         self.window.toggle()
         self.window.make_current("sphere")
         self.note("reopened")
+        self.window.choose_in_menu("File", "Save Project As...")
+        self.window.give_file("Save Project File", self.folder / "meshes" / "other.mlp")
+        other = self.folder / "meshes" / "other.mlp.measurements"
+        self.seen["stored again"] = wait_for(
+            "the file beside the project", lambda: other.is_file() and other.read_text()
+        )
 
 
 if __name__ == "__main__":

@@ -125,3 +125,7 @@ def test_the_project_has_its_measurements_when_it_is_opened_again(seen):
     lines = [line.split() for line in seen["stored"].splitlines() if line.startswith("measurement ")]
     hidden = [words[1] for words in lines if words[-1] == "1"]
     assert hidden == ["5"]
+
+
+def test_the_file_is_written_beside_a_project_that_is_saved(seen):
+    assert seen["stored again"] == seen["stored"]
