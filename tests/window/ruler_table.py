@@ -69,9 +69,13 @@ class RulerTable(Script):
         self.note("plate")
 
     def measure_on_the_sphere(self) -> None:
-        """A path, of which a point is taken back; a tape, a disk and a distance; a loop that contracts."""
+        """A path, with a click for the camera and a point that is taken back; tape, disk, distance; a refused loop."""
         self.window.choose_kind("path")
-        self.window.click_at(FIRST, SECOND, BELOW)
+        self.window.click_at(FIRST)
+        self.window.keys("c")
+        self.window.click_at(ASIDE)
+        self.window.keys("c")
+        self.window.click_at(SECOND, BELOW)
         self.picture("ruler_table_clicked")
         self.window.keys("BackSpace")
         self.window.click_at(THIRD)
