@@ -1,7 +1,8 @@
-// Filters that write a distance field: from a point, the selection, the border, a layer or edges; and the
-// directions of paths from a point.
+// Filters that write a distance field: from a point, the selection, the border, a layer or edges, on both
+// sides of a curve or a region; and the directions of paths from a point.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iomanip>
 #include <numbers>
 #include <numeric>
@@ -18,6 +19,8 @@
 #include "support/error.h"
 #include "tasks/curve_sources.h"
 #include "tasks/directions.h"
+#include "tasks/path_through.h"
+#include "tasks/signed_distance.h"
 
 namespace vorogeo::plugin {
 
@@ -258,6 +261,86 @@ Results distances_from_edges(FilterCall& call) {
   return results;
 }
 
+// ---- Distance from a closed curve or the border of a region, by side
+
+RichParameterList signed_parameters(const MeshDocument& document) {
+  return list_of(
+      RichMesh(
+          "curve_layer", static_cast<unsigned int>(document.mm()->id()), &document, "Curve layer",
+          "The layer with the closed curve, which is moved to the surface. The current layer: the border "
+          "of its selected faces."),
+      max_snap_distance_parameter(document));
+}
+
+/// By face of the layer's surface, whether it is selected. \throw InvalidInput if none is.
+std::vector<std::uint8_t> selected_region(const FilterCall& call, const LayerSurface& layer) {
+  std::vector<std::uint8_t> region;
+  for (const int face : layer.arrays().input_of_face) {
+    region.push_back(call.layer.cm.face[face].IsS() ? 1 : 0);
+  }
+  if (std::ranges::find(region, 1) != region.end()) return region;
+  throw InvalidInput(
+      "No face is selected. Select the faces of a region, or choose a layer with a closed curve as " +
+      named(call, "curve_layer") + ".");
+}
+
+Results signed_distances(FilterCall& call) {
+  const auto layer = layer_of(call);
+  const auto mesh = layer->mesh();
+  const bool of_region = curve_is_selected(call);
+  std::vector<std::uint8_t> region;
+  TaskPoints curve;
+  if (of_region) {
+    region = selected_region(call, *layer);
+  } else {
+    curve = curve_in_order(call, *layer);
+  }
+  const auto ask = [&](Surface& surface, const TaskOptions& options) {
+    if (of_region) return signed_distance(surface, region, unreachable, options);
+    const bool ends_apart = curve.points[0] != curve.points[curve.size() - 1];
+    const ExactPath path =
+        path_through(surface, curve.points, ends_apart, {options.by, options.progress.part(0.0, 0.2)});
+    return signed_distance(surface, {path.path.points}, unreachable,
+                           {options.by, options.progress.part(0.2, 1.0), options.answered});
+  };
+  auto [field, answered, results] = ask_task_by(AnswerMethod::exact, call, *layer, "Signed distances", ask);
+  double inside = 0.0, outside = 0.0;
+  int unreached = 0;
+  for (Index v = 0; v < mesh->given_vertex_count(); ++v) {
+    if (std::isfinite(field[v])) {
+      inside = std::min(inside, field[v]);
+      outside = std::max(outside, field[v]);
+    } else {
+      ++unreached;
+    }
+  }
+  rest_if_large(*layer, answered, mesh->given_vertex_count() - unreached);
+  call.progress.report(1.0, "Writing quality and colours");
+
+  call.layer.updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
+  const double largest = std::max(outside, -inside);
+  for (Index v = 0; v < mesh->given_vertex_count(); ++v) {
+    CVertexO& vertex = call.layer.cm.vert[layer->host_vertex(v)];
+    vertex.Q() = static_cast<Scalarm>(std::isfinite(field[v]) ? field[v] : 0.0);
+    vertex.C() = color_of_distance(field[v], largest, -largest);
+  }
+  std::ostringstream text;
+  text << "Signed distances from " << (of_region ? "the border of the selected faces" : "the curve")
+       << ": up to " << logged_length(std::abs(inside)) << " inside and " << logged_length(outside)
+       << " outside, in " << std::setprecision(3) << answered.seconds << " s";
+  call.log(text.str());
+  if (unreached > 0) {
+    call.log("No path leads to " + std::to_string(unreached) +
+             " vertices, in components without a source; their quality is 0 and their colour grey");
+  }
+  results["min_distance"] = inside;
+  results["max_distance"] = outside;
+  results["unreachable_vertices"] = unreached;
+  results["snap_distance"] = curve.snap_distance;
+  results["seconds"] = answered.seconds;
+  return results;
+}
+
 // ---- Directions from a point
 
 RichParameterList directions_parameters(const MeshDocument& document) {
@@ -469,6 +552,28 @@ std::vector<FilterRow> distance_rows() {
                 "border edge if <b>From the border</b> is ticked.</p>" +
                     help_on_curves() + "</p>" + chosen,
                 from_edges_parameters, distances_from_edges),
+      field_row(
+          "Signed geodesic distance from a curve or a region (VoroGeo)",
+          "compute_scalar_by_vorogeo_signed_distance_per_vertex",
+          "<p>Geodesic distance of every vertex from a closed curve, or from the border of the selected "
+          "faces: negative inside, positive outside. It becomes the vertex quality, in the unit of the "
+          "mesh, and a colour: green on the curve, red inside, blue outside. Vertices of components "
+          "without the curve get quality 0 and grey and are counted in the log.</p><p>If <b>Curve "
+          "layer</b> is the current layer, the region is its selected faces. If it is another one, the "
+          "curve is the line of that, such as an isoline or a plane section, whose points are moved to "
+          "the nearest point of the surface; <i>snap_distance</i> is the farthest move, and one of more "
+          "than <b>Max snap distance</b> is an error unless that is 0. Inside a curve is the side "
+          "without a border of the surface, otherwise the smaller one.</p><p>How to choose: the curve is "
+          "one line that does not branch; an open one is closed by the shortest path from its end to its "
+          "beginning, and points of a layer without lines are joined in their order. One that touches "
+          "itself, or has the same side left and right, as round a handle, is an error. Distances are "
+          "exact, from the curve itself. Lines at a distance from it on both sides are those of "
+          "<i>Isolines of a geodesic distance (VoroGeo)</i>: untick <b>Quality is a distance</b> "
+          "there.</p><p>Returns <i>min_distance</i> and <i>max_distance</i>, of the vertices deepest "
+          "inside and farthest outside, and <i>unreachable_vertices</i>.</p><p>See:<br/><i>Joseph S. B. "
+          "Mitchell, David M. Mount, Christos H. Papadimitriou</i><br/><b>\"The discrete geodesic "
+          "problem\"</b><br/>SIAM Journal on Computing 16(4), 1987.</p>",
+          signed_parameters, signed_distances),
       {"Geodesic directions from a given point (VoroGeo)",
        "compute_scalar_by_vorogeo_directions_from_given_point_per_vertex", help_on_directions(),
        FilterPlugin::FilterClass(FilterPlugin::Texture | FilterPlugin::VertexColoring |

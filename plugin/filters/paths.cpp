@@ -1,5 +1,5 @@
-// Filters for paths: the distance of two points; shortest paths between two and through several points, tight
-// curves, loops and girths, as layers.
+// Filters for paths: the distance of two points; shortest paths between two and through several points,
+// smooth and tight curves, loops and girths, as layers.
 #include <cmath>
 #include <iomanip>
 #include <optional>
@@ -12,6 +12,7 @@
 #include "layers/path_lines.h"
 #include "layers/points.h"
 #include "layers/results.h"
+#include "tasks/curves.h"
 #include "tasks/girth.h"
 #include "tasks/loops.h"
 #include "tasks/path_through.h"
@@ -59,7 +60,7 @@ Results distance_between_points(FilterCall& call) {
   return results;
 }
 
-// ---- Filters: shortest paths between two points and through several, as polyline layers
+// ---- Filters: shortest paths between two points and through several, and smooth curves, as polyline layers
 
 /// Adds a path as a layer, in which the vertices are selected from which a step runs over a gap; logs its
 /// length. \return length, certified, points, steps_over_gaps, gap_length.
@@ -92,6 +93,18 @@ Results add_path_layer(FilterCall& call, const char* name, const Mesh& mesh, con
           {"points", static_cast<int>(polyline.lines.points.size())},
           {"steps_over_gaps", static_cast<int>(marked.size())},
           {"gap_length", gap_length}};
+}
+
+/// The same for the answer of a task about points, and what the filter returns.
+Results add_path_layer(FilterCall& call, const char* name, LayerSurface& layer, const TaskPoints& points,
+                       AnswerOfLayer<ExactPath> answer) {
+  rest_if_large(layer, answer.answered, layer.mesh()->vertex_count());
+  call.progress.report(1.0, name);
+  Results results = add_path_layer(call, name, *layer.mesh(), answer.found);
+  results["seconds"] = answer.answered.seconds;
+  results["snap_distance"] = points.snap_distance;
+  results.merge(answer.about);
+  return results;
 }
 
 RichParameterList path_parameters(const MeshDocument& document) {
@@ -133,15 +146,26 @@ Results draw_path_through(FilterCall& call) {
   const auto layer = layer_of(call);
   const TaskPoints points = task_points(call, *layer, "that the path shall pass through");
   const bool closed = call.parameters.getBool("closed");
-  auto [whole, answered, results] =
-      ask_task_by(AnswerMethod::automatic, call, *layer, "Shortest path through points", path_through,
-                  points.points, closed);
-  rest_if_large(*layer, answered, layer->mesh()->vertex_count());
-  call.progress.report(1.0, "Shortest path through points");
-  results.merge(add_path_layer(call, "Geodesic path", *layer->mesh(), whole));
-  results["seconds"] = answered.seconds;
-  results["snap_distance"] = points.snap_distance;
-  return results;
+  return add_path_layer(call, "Geodesic path", *layer, points,
+                        ask_task_by(AnswerMethod::automatic, call, *layer, "Shortest path through points",
+                                    path_through, points.points, closed));
+}
+
+RichParameterList smooth_curve_parameters(const MeshDocument& document) {
+  return list_of(task_point_parameters(document, "points that the curve shall pass through"),
+                 RichBool("closed", false, "Closed", "From the last point on to the first one."),
+                 RichInt("samples", 16, "Samples",
+                         "Points of the curve from each given point to the next; shortest paths join them."));
+}
+
+Results draw_smooth_curve(FilterCall& call) {
+  const Index samples = number_of(call, "samples", 1, ". Give 1 or more.");
+  const auto layer = layer_of(call);
+  const TaskPoints points = task_points(call, *layer, "that the curve shall pass through");
+  const bool closed = call.parameters.getBool("closed");
+  return add_path_layer(call, "Smooth curve", *layer, points,
+                        ask_task_by(AnswerMethod::automatic, call, *layer, "Smooth curve through points",
+                                    spline, points.points, closed, samples));
 }
 
 // ---- Filters: closed curves pulled tight, and shortest loops through a point, as polyline layers
@@ -149,13 +173,9 @@ Results draw_path_through(FilterCall& call) {
 Results draw_tight_curve(FilterCall& call) {
   const auto layer = layer_of(call);
   const TaskPoints curve = curve_in_order(call, *layer);
-  auto [loop, answered, results] = ask_task_by(AnswerMethod::automatic, call, *layer,
-                                               "Pulling the curve tight", tighten, curve.points, true);
-  call.progress.report(1.0, "Pulling the curve tight");
-  results.merge(add_path_layer(call, "Tight curve", *layer->mesh(), loop));
-  results["seconds"] = answered.seconds;
-  results["snap_distance"] = curve.snap_distance;
-  return results;
+  return add_path_layer(call, "Tight curve", *layer, curve,
+                        ask_task_by(AnswerMethod::automatic, call, *layer, "Pulling the curve tight", tighten,
+                                    curve.points, true));
 }
 
 Results draw_shortest_loop(FilterCall& call) {
@@ -249,6 +269,23 @@ std::vector<FilterRow> path_rows() {
            "<i>certified</i>: proven to be the shortest through these points.</p>" +
            references_of_index(),
        FilterPlugin::Measure, MeshModel::MM_NONE, path_through_parameters, draw_path_through},
+      {"Smooth curve through points (VoroGeo)", "generate_polyline_by_vorogeo_smooth_curve",
+       "<p>A smooth curve over the surface through points in their order, as a new polyline layer, which "
+       "becomes the current one; the quality of its vertices is the length up to there. Between two points "
+       "it is a cubic Bezier curve, made by de Casteljau's construction with shortest paths as its straight "
+       "lines; at each point its direction is half of the difference of the directions to the next point and "
+       "to the one before, in their lengths. With <b>Closed</b> it goes on from the last point to the "
+       "first.</p>" +
+           help_on_task_points() +
+           "<p>How to choose: the vertices of a point layer are passed in the order in which that has them, "
+           "selected ones in that of their numbers. More <b>Samples</b> make the curve smoother and take as "
+           "many times longer. Where a shortest path jumps from one side of a hill to the other, so does the "
+           "curve: give a point between.</p><p>Returns the <i>length</i> and the number of <i>points</i>. "
+           "The mesh is not changed.</p><p>See:<br/><i>F. C. Park, B. Ravani</i><br/><b>\"Bezier curves on "
+           "Riemannian manifolds and Lie groups with kinematics applications\"</b><br/>Journal of Mechanical "
+           "Design 117(1), 1995.<br/><i>Edwin Catmull, Raphael Rom</i><br/><b>\"A class of local "
+           "interpolating splines\"</b><br/>Computer Aided Geometric Design, 1974.</p>",
+       FilterPlugin::Measure, MeshModel::MM_NONE, smooth_curve_parameters, draw_smooth_curve},
       {"Closed curve pulled tight (VoroGeo)", "generate_polyline_by_vorogeo_tight_curve",
        "<p>Pulls a closed curve tight, as a rubber band, until it is a closed geodesic: straight over the "
        "surface all the way round. It slides to the nearest place where it cannot become shorter, such as "

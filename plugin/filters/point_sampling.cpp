@@ -1,10 +1,15 @@
-// Filters: samplings by geodesic distance and Lloyd relaxation, each as a new layer of points.
+// Filters: samplings by geodesic distance, Lloyd relaxation and means, each as a new layer of points.
+#include <algorithm>
+#include <iomanip>
+#include <span>
+#include <sstream>
 #include <string>
 
 #include "filters/rows.h"
 #include "layers/answering.h"
 #include "layers/points.h"
 #include "layers/results.h"
+#include "tasks/means.h"
 #include "tasks/spread_points.h"
 
 namespace vorogeo::plugin {
@@ -91,6 +96,39 @@ Results lloyd_relaxation(FilterCall& call) {
   return results;
 }
 
+RichParameterList mean_parameters(const MeshDocument& document) {
+  return list_of(task_point_parameters(document, "points whose mean is wanted"),
+                 RichBool("median", false, "Median",
+                          "The geometric median instead: the least sum of distances, not of their squares."));
+}
+
+Results mean_of_points(FilterCall& call) {
+  const auto layer = layer_of(call);
+  const auto mesh = layer->mesh();
+  const TaskPoints points = task_points(call, *layer, "whose mean is wanted");
+  const bool median = call.parameters.getBool("median");
+  auto [centre, answered, results] =
+      ask_task_by(AnswerMethod::exact, call, *layer, "Mean of points", centre_of, points.points,
+                  std::span<const double>(), median ? Power::one : Power::two);
+  rest_if_large(*layer, answered, mesh->vertex_count());
+  call.progress.report(1.0, "Mean of points");
+  const HostPlace place = layer->host_place(*mesh, centre.point);
+  const char* name = median ? "Geometric median" : "Frechet mean";
+  add_surface_point_layer(call, name, *layer, *mesh, std::span(&centre.point, 1));
+  std::ostringstream text;
+  text << name << " of " << points.size() << " " << points.what << ": "
+       << (place.face < 0 ? "vertex " : "a point in face ") << std::max(place.vertex, place.face)
+       << ", from which the " << (median ? "distances" : "squared distances") << " sum up to "
+       << std::setprecision(7) << centre.energy;
+  call.log(text.str());
+  results["vertex"] = place.vertex;
+  results["face"] = place.face;
+  results["energy"] = centre.energy;
+  results["snap_distance"] = points.snap_distance;
+  results["seconds"] = answered.seconds;
+  return results;
+}
+
 }  // namespace
 
 std::vector<FilterRow> sampling_rows() {
@@ -129,7 +167,19 @@ std::vector<FilterRow> sampling_rows() {
            help_on_task_points() + help_on_exact_parameter() +
            "<p>See:<br/><i>Gabriel Peyr&eacute;, Laurent D. Cohen</i><br/><b>\"Geodesic remeshing using "
            "front propagation\"</b><br/>International Journal of Computer Vision 69(1), 2006.</p>",
-       FilterPlugin::Sampling, MeshModel::MM_NONE, lloyd_parameters, lloyd_relaxation}};
+       FilterPlugin::Sampling, MeshModel::MM_NONE, lloyd_parameters, lloyd_relaxation},
+      {"Geodesic mean of points (VoroGeo)", "generate_sampling_vorogeo_mean",
+       "<p>The mean of points on the surface: the point from which the sum of the squared geodesic distances "
+       "is least (Frechet mean), or with <b>Median</b> the sum of the distances (geometric median). It is a "
+       "new layer with this point, which becomes the current one. It need not be a vertex.</p>" +
+           help_on_task_points() +
+           "<p>How to choose: a mean follows points that lie far off, a median hardly does. A sum may have "
+           "several minima: the result is one near the given point that is best, and the log says if others "
+           "are as good. Exact, without an index.</p><p>Returns the <i>energy</i>, which is the sum, and "
+           "<i>vertex</i> or <i>face</i>, of which one is -1: where the point lies. The mesh is not "
+           "changed.</p><p>See:<br/><i>Hermann Karcher</i><br/><b>\"Riemannian center of mass and mollifier "
+           "smoothing\"</b><br/>Communications on Pure and Applied Mathematics 30(5), 1977.</p>",
+       FilterPlugin::Sampling, MeshModel::MM_NONE, mean_parameters, mean_of_points}};
 }
 
 }  // namespace vorogeo::plugin

@@ -1,10 +1,11 @@
-// Filters that divide the surface: Voronoi regions, patches in colours, isolines, cuts, polygons,
+// Filters that divide the surface: Voronoi regions, cut loci, patches in colours, isolines, cuts, polygons,
 // extent, disks and bands.
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <map>
+#include <numbers>
 #include <span>
 #include <sstream>
 #include <string>
@@ -22,6 +23,7 @@
 #include "support/error.h"
 #include "tasks/bands.h"
 #include "tasks/cut.h"
+#include "tasks/cut_locus.h"
 #include "tasks/extent.h"
 #include "tasks/path_through.h"
 #include "tasks/polygon.h"
@@ -90,6 +92,40 @@ Results color_voronoi_regions(FilterCall& call) {
   results["areas"] = as_vector(regions.area);
   results["border_length"] = regions.borders.length();
   results["unreachable_vertices"] = unreached;
+  return results;
+}
+
+// ---- Filter: where several shortest paths end, as a polyline layer
+
+RichParameterList cut_locus_parameters(const MeshDocument& document) {
+  return list_of(task_point_parameters(document, "points at which paths begin"),
+                 RichFloat("min_angle", 30, "Least angle",
+                           "Of the directions in which two shortest paths arrive, in degrees; 0: any."));
+}
+
+Results draw_cut_locus(FilterCall& call) {
+  const double degrees = call.parameters.getFloat("min_angle");
+  if (!(degrees >= 0.0 && degrees <= 180.0)) {
+    refuse(call, "min_angle", degrees, ". Give an angle from 0 to 180 degrees.");
+  }
+  const auto layer = layer_of(call);
+  const auto mesh = layer->mesh();
+  const TaskPoints sources = task_points(call, *layer, "at which paths begin");
+  auto [locus, answered, results] =
+      ask_task_by(AnswerMethod::exact, call, *layer, "Cut locus", cut_locus, sources.points,
+                  degrees / 180.0 * std::numbers::pi, unreachable);
+  rest_if_large(*layer, answered, mesh->vertex_count());
+  call.progress.report(1.0, "Cut locus");
+  SurfaceLines lines{{}, std::move(locus.edges)};
+  for (const SurfacePoint& point : locus.points) lines.points.push_back(position_of(*mesh, point));
+  add_polyline_layer(call.document, call.layer, "Cut locus", lines, locus.distance, true);
+  call.log("Cut locus of " + std::to_string(sources.size()) + " " + sources.what + ": " +
+           std::to_string(lines.segments.size()) + " segments, " + logged_length(lines.length()) +
+           " long in all");
+  results["segments"] = static_cast<int>(lines.segments.size());
+  results["length"] = lines.length();
+  results["snap_distance"] = sources.snap_distance;
+  results["seconds"] = answered.seconds;
   return results;
 }
 
@@ -460,6 +496,20 @@ std::vector<FilterRow> region_rows() {
            help_on_task_points() + help_on_exact_parameter() + references_of_index(),
        FilterPlugin::FilterClass(FilterPlugin::FaceColoring | FilterPlugin::Quality),
        MeshModel::MM_VERTQUALITY | MeshModel::MM_FACECOLOR, voronoi_parameters, color_voronoi_regions},
+      {"Cut locus of points (VoroGeo)", "generate_polyline_by_vorogeo_cut_locus",
+       "<p>The places where several shortest paths from a point end, as a new polyline layer, which becomes "
+       "the current one; the quality of its vertices is the distance from the point. Cut along these lines, "
+       "the surface could be laid out from there by the directions of paths; across them, a picture laid "
+       "onto it is torn. From several points, paths begin at the nearest one, and the lines are also the "
+       "borders of their Voronoi regions.</p>" +
+           help_on_task_points() +
+           "<p>How to choose: a line begins at each vertex that is a convex corner, on a scan at every "
+           "second one, and the directions of the paths on both sides of it hardly differ: <b>Least "
+           "angle</b> leaves out where they differ by less. 0 shows all lines. Exact, without an index.</p>"
+           "<p>Returns the number of <i>segments</i> and their <i>length</i>. The mesh is not changed.</p>"
+           "<p>See:<br/><i>Micha Sharir, Amir Schorr</i><br/><b>\"On shortest paths in polyhedral "
+           "spaces\"</b><br/>SIAM Journal on Computing 15(1), 1986.</p>",
+       FilterPlugin::Measure, MeshModel::MM_NONE, cut_locus_parameters, draw_cut_locus},
       {"Isolines of a geodesic distance (VoroGeo)", "generate_polyline_by_vorogeo_isolines",
        "<p>Lines on which the quality of the vertices has given values, as a new polyline layer, which "
        "becomes the current one; the quality of its vertices is the value of their line. Lines run straight "

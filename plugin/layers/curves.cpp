@@ -77,11 +77,11 @@ CurveSources sources_of_layer(const FilterCall& call, LayerSurface& layer, const
 
 // ---- Reads curve_layer
 
-namespace {
-
 bool curve_is_selected(const FilterCall& call) {
   return static_cast<int>(call.parameters.getMeshId("curve_layer")) == static_cast<int>(call.layer.id());
 }
+
+namespace {
 
 std::vector<std::array<Index, 2>> selected_curve(const FilterCall& call, const LayerSurface& layer,
                                                  const Mesh& mesh) {

@@ -35,6 +35,8 @@ CurveSources sources_of_layer(const FilterCall& call, LayerSurface& layer, const
 
 /// The parameters curve_layer and max_snap_distance.
 RichParameterList curve_parameters(const MeshDocument& document);
+/// Whether that layer is the current one.
+bool curve_is_selected(const FilterCall& call);
 /// Explains them, for the help.
 QString help_on_curve();
 

@@ -17,10 +17,10 @@ namespace vorogeo::plugin {
 
 // ---- Distances as quality and colours
 
-vcg::Color4b color_of_distance(double distance, double largest) {
+vcg::Color4b color_of_distance(double distance, double largest, double least) {
   if (!std::isfinite(distance)) return grey();
   vcg::Color4b color;
-  color.SetColorRamp(0.0F, static_cast<float>(largest), static_cast<float>(distance));
+  color.SetColorRamp(static_cast<float>(least), static_cast<float>(largest), static_cast<float>(distance));
   return color;
 }
 

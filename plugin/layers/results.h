@@ -24,8 +24,8 @@ inline constexpr double quality_without_distance = -1.0;
 /// Light grey, which is on no ramp and in no palette: without a distance, in no region.
 inline vcg::Color4b grey() { return {160, 160, 160, 255}; }
 
-/// Along the host's ramp from red to blue; grey without a distance.
-vcg::Color4b color_of_distance(double distance, double largest);
+/// Along the host's ramp from red at the least to blue at the largest distance; grey without one.
+vcg::Color4b color_of_distance(double distance, double largest, double least = 0.0);
 
 /// On the host's colour wheel, where `angle` is in [0, 2 pi].
 vcg::Color4b color_of_angle(double angle, bool is_dark);

@@ -46,6 +46,10 @@ POLYGON = "generate_polyline_by_vorogeo_polygon"
 CUT_CURVE = "generate_splitting_by_vorogeo_curve"
 SETS = "get_vorogeo_distance_of_sets"
 BAND = "get_vorogeo_area_of_band"
+SMOOTH = "generate_polyline_by_vorogeo_smooth_curve"
+CUT_LOCUS = "generate_polyline_by_vorogeo_cut_locus"
+MEAN = "generate_sampling_vorogeo_mean"
+SIGNED = "compute_scalar_by_vorogeo_signed_distance_per_vertex"
 PATH_THROUGH = "generate_polyline_by_vorogeo_path_through_points"
 GIRTH = "generate_polyline_by_vorogeo_girth"
 DIRECTIONS = "compute_scalar_by_vorogeo_directions_from_given_point_per_vertex"
@@ -73,6 +77,7 @@ FILTERS: dict[str, tuple[set[str], int]] = {
         FIELD,
     ),
     FROM_EDGES: ({"from_border", "spacing", "method", "max_distance"}, FIELD),
+    SIGNED: ({"curve_layer", "max_snap_distance"}, FIELD),
     DIRECTIONS: (
         {"start_point", "vertex_index", "radius", "rotation", "scale", "rings", "per_wedge"},
         FIELD | VERTEX_TEXTURE | WEDGE_TEXTURE,
@@ -80,6 +85,7 @@ FILTERS: dict[str, tuple[set[str], int]] = {
     TWO_POINTS: ({"method"} | END_POINTS, 0),
     PATH: ({"method", "exact", "certify"} | END_POINTS, 0),
     PATH_THROUGH: ({"closed"} | TASK_POINTS, 0),
+    SMOOTH: ({"closed", "samples"} | TASK_POINTS, 0),
     TIGHT: ({"curve_layer", "max_snap_distance"}, 0),
     LOOP: ({"start_point", "vertex_index"}, 0),
     GIRTH: ({"start_point", "vertex_index", "normal"}, 0),
@@ -89,6 +95,7 @@ FILTERS: dict[str, tuple[set[str], int]] = {
     SETS: ({"source_layer", "exact"} | TASK_POINTS, 0),
     PATCHES: ({"layer"}, FACE_COLOR),
     VORONOI: ({"borders", "exact"} | TASK_POINTS, FACE_COLOR | VERTEX_QUALITY),
+    CUT_LOCUS: ({"min_angle"} | TASK_POINTS, 0),
     ISOLINES: ({"line_number", "values", "is_distance"}, 0),
     CUT: ({"line_number", "values", "is_distance"}, 0),
     CUT_CURVE: ({"curve_layer", "max_snap_distance"}, 0),
@@ -100,6 +107,7 @@ FILTERS: dict[str, tuple[set[str], int]] = {
     FARTHEST: ({"sample_number", "radius", "from_selection", "seed", "exact"} | TASK_POINTS, 0),
     POISSON: ({"radius", "seed", "exact"}, 0),
     LLOYD: ({"rounds", "exact"} | TASK_POINTS, 0),
+    MEAN: ({"median"} | TASK_POINTS, 0),
     COMPARISON: ({"start_point", "vertex_index", "method", "reference"}, FIELD),
     METHOD_TABLE: ({"methods", "sources", "csv_file"}, 0),
 }
@@ -108,7 +116,10 @@ ALL_FILTERS = [name for name in FILTERS if name not in (SAVE_INDEX, LOAD_INDEX)]
 FROM_A_POINT = [FROM_POINT, EXACT_FROM_POINT]
 FROM_A_SELECTION = [FROM_SELECTION, EXACT_FROM_SELECTION]
 FIELDS = [*FROM_A_POINT, *FROM_A_SELECTION, FROM_BORDER]
-OF_TASK_POINTS = [MATRIX, PAIRS_WITHIN, NEAREST, VORONOI, LLOYD, DISK, AREA, PATH_THROUGH, POLYGON, SETS]
+OF_TASK_POINTS = [
+    *(MATRIX, PAIRS_WITHIN, NEAREST, VORONOI, LLOYD, DISK, AREA, PATH_THROUGH, POLYGON, SETS),
+    *(SMOOTH, CUT_LOCUS, MEAN),
+]
 
 PROJECT = Path(__file__).resolve().parents[2]
 

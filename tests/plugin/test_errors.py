@@ -12,6 +12,7 @@ from support import (
     COMPARISON,
     CUT,
     CUT_CURVE,
+    CUT_LOCUS,
     DIRECTIONS,
     DISK,
     EXACT_FROM_POINT,
@@ -41,6 +42,8 @@ from support import (
     POLYGON,
     SAVE_INDEX,
     SETS,
+    SIGNED,
+    SMOOTH,
     TIGHT,
     TWO_POINTS,
     VORONOI,
@@ -175,17 +178,31 @@ REFUSED = [
     (GIRTH, {"vertex_index": 5, "normal": [np.nan, 0, 0]}, "The normal of the plane has length nan"),
     (LOOP, {"vertex_index": 5}, "Every loop through vertex 5 contracts to it"),
     *[
-        (name, parameters, message)
+        (name, {}, "No edge is selected. Select edges, for example with 'Select Crease Edges', or choose a layer")
         for name in (TIGHT, BAND, CUT_CURVE)
+    ],
+    (SIGNED, {}, 'No face is selected. Select the faces of a region, or choose a layer with a closed curve as "Curve'),
+    *[
+        (name, parameters, message)
+        for name in (TIGHT, BAND, CUT_CURVE, SIGNED)
         for parameters, message in [
-            ({}, "No edge is selected. Select edges, for example with 'Select Crease Edges', or choose a layer"),
             ({"curve_layer": 7}, "(curve_layer) is 7, but there is no such layer"),
             ({"curve_layer": 1, "max_snap_distance": NEAR}, "Vertex 0 of layer 1 is 0.5"),
             ({"curve_layer": 2}, "Layer 2 has no vertex"),
         ]
     ],
     (TIGHT, {"curve_layer": 1}, "The curve has 1 points; give at least two, in order"),
-    (CUT_CURVE, {"curve_layer": 1}, "There are 1 points to pass through; give at least two"),
+    *[
+        (name, {"curve_layer": 1}, "There are 1 points to pass through; give at least two")
+        for name in (CUT_CURVE, SIGNED)
+    ],
+    (SMOOTH, {}, "There are 1 points for a curve; give at least 2"),
+    (SMOOTH, {"surface_points": "0; 3", "closed": True}, "There are 2 points for a curve; give at least 3"),
+    (SMOOTH, {"surface_points": "0; 3", "samples": 0}, "(samples) is 0. Give 1 or more"),
+    *[
+        (CUT_LOCUS, {"min_angle": degrees}, f"(min_angle) is {degrees}. Give an angle from 0 to 180 degrees")
+        for degrees in (-1, 181, np.nan)
+    ],
     (BAND, {"curve_layer": 1, "width": NEGATIVE}, "(width) is -1"),
     (BAND, {"curve_layer": 1, "spacing": NEGATIVE}, "(spacing) is -1"),
     (POLYGON, {}, "A polygon has three points or more; there are 1"),

@@ -26,6 +26,7 @@ from support import (
     PATCHES,
     POLYGON,
     SETS,
+    SIGNED,
     TIGHT,
     TWO_POINTS,
     arrays,
@@ -49,6 +50,7 @@ NEEDED = {
     SETS: "source_layer=1",
     TIGHT: "curve_layer=1",
     CUT_CURVE: "curve_layer=1",
+    SIGNED: "curve_layer=1",
     BAND: "curve_layer=1",
     POLYGON: "point_layer=1",
 }

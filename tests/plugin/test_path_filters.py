@@ -1,4 +1,4 @@
-"""The filters for shortest paths, loops, girths and directions, and for sources that are points, lines or edges."""
+"""Filters for paths, loops, girths, directions, and distances from points, lines, edges and both sides of curves."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from support import (
     LOOP,
     PATH,
     PATH_THROUGH,
+    SIGNED,
     TIGHT,
     exact_distances,
     fails_and_changes_nothing,
@@ -292,3 +293,49 @@ def test_distance_from_the_border_as_a_curve(method):
     x, y = vertices[:, 0], vertices[:, 1]
     np.testing.assert_allclose(field(ms), np.min([x, 12 - x, y, 8 - y], axis=0), atol=1e-9)
     assert result["source_edges"] == 40
+
+
+RECTANGLE = np.array([[1.1, 0.7, 0], [2.9, 0.7, 0], [2.9, 2.3, 0], [1.1, 2.3, 0]])
+
+
+@pytest.mark.parametrize("lines", ["closed", "open", "none"])
+def test_signed_distance_from_a_rectangle(lines):
+    vertices, faces = grid(20, 15, 0.2)
+    far = sphere(1)
+    ms = mesh_set(*side_by_side((vertices, faces), far))
+    edges = {"closed": [[2, 3], [0, 1], [3, 0], [1, 2]], "open": [[2, 3], [0, 1], [1, 2]]}
+    chosen = {"edge_matrix": np.array(edges[lines])} if lines in edges else {}
+    ms.add_mesh(pymeshlab.Mesh(vertex_matrix=RECTANGLE + np.array([0, 0, 0.1]), **chosen), set_as_current=False)
+    found = ms.apply_filter(SIGNED, curve_layer=1)
+    beyond = np.abs(vertices[:, :2] - [2, 1.5]) - [0.9, 0.8]
+    expected = np.linalg.norm(np.maximum(beyond, 0), axis=1) + np.minimum(beyond.max(axis=1), 0)
+    np.testing.assert_allclose(field(ms)[: len(vertices)], expected, atol=1e-6)
+    np.testing.assert_array_equal(field(ms)[len(vertices) :], 0)
+    assert found["min_distance"] == pytest.approx(expected.min(), abs=1e-6)
+    assert found["max_distance"] == pytest.approx(expected.max(), abs=1e-6)
+    assert found["unreachable_vertices"] == len(far[0])
+    assert found["snap_distance"] == pytest.approx(0.1)
+    color = ms.current_mesh().vertex_color_matrix() * 255
+    np.testing.assert_allclose(color[len(vertices) :], np.tile([160, 160, 160, 255], (len(far[0]), 1)))
+    np.testing.assert_allclose(color[expected.argmax()], [0, 0, 255, 255])
+    deep = color[: len(vertices)][expected < -0.3]
+    assert (deep[:, 0] > deep[:, 2]).all()  # from red to green
+
+
+def test_signed_distance_from_a_region():
+    vertices, faces = grid(12, 8)
+    ms = mesh_set(vertices, faces)
+    ms.apply_filter("compute_selection_by_condition_per_face", condselect="(x0 < 5.5) && (x1 < 5.5) && (x2 < 5.5)")
+    found = ms.apply_filter(SIGNED)
+    np.testing.assert_allclose(field(ms), vertices[:, 0] - 5, atol=1e-5)
+    assert (found["min_distance"], found["snap_distance"]) == (pytest.approx(-5, abs=1e-5), 0)
+    ms.apply_filter("set_selection_all")
+    with fails_and_changes_nothing(ms, "The region has no border on the surface: all faces of each component"):
+        ms.apply_filter(SIGNED)
+
+
+def test_a_curve_that_crosses_itself_has_no_sides():
+    ms = mesh_set(*grid(20, 15, 0.2))
+    ms.add_mesh(pymeshlab.Mesh(RECTANGLE[[0, 2, 1, 3]]), set_as_current=False)
+    with fails_and_changes_nothing(ms, "Curve 0 crosses or touches itself at "):
+        ms.apply_filter(SIGNED, curve_layer=1)

@@ -1,4 +1,4 @@
-"""Filters for matrices, regions, samplings, isolines, cuts, disks, extents: values, layers, points in every way."""
+"""Filters for matrices, regions, samplings, means, curves, isolines, cuts, disks, extents; points in every way."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from support import (
     BAND,
     CUT,
     CUT_CURVE,
+    CUT_LOCUS,
     DISK,
     EXACT_FROM_POINT,
     EXTENT,
@@ -23,6 +24,7 @@ from support import (
     ISOLINES,
     LLOYD,
     MATRIX,
+    MEAN,
     NEAREST,
     PAIRS_WITHIN,
     PATCHES,
@@ -30,6 +32,7 @@ from support import (
     POISSON,
     POLYGON,
     SETS,
+    SMOOTH,
     TWO_POINTS,
     VORONOI,
     arrays,
@@ -225,6 +228,31 @@ def test_lloyd_relaxation_lowers_the_energy(ms, points):
     np.testing.assert_array_equal(ms.current_mesh().vertex_matrix(), VERTICES[found["vertices"].astype(int)])
 
 
+@pytest.mark.parametrize("median", [False, True])
+def test_mean_of_points_of_the_plane(ms, points, median):
+    found = ms.apply_filter(MEAN, median=median, **points.parameters)
+    assert (layer_count(ms), ms.current_mesh().vertex_number()) == (3, 1)
+    at = ms.current_mesh().vertex_matrix()[0]
+    steps = points.at - at
+    distance = np.linalg.norm(steps, axis=1)
+    pull = steps / distance[:, None] if median else steps
+    np.testing.assert_allclose(pull.sum(axis=0), 0, atol=1e-6)  # what the least sum is known by
+    assert found["energy"] == pytest.approx((distance ** (1 if median else 2)).sum(), rel=1e-9)
+    assert (found["vertex"], found["snap_distance"]) == (-1, pytest.approx(points.moved))
+    corners = VERTICES[FACES[found["face"]]]
+    assert (corners.min(axis=0) <= at + 1e-9).all()
+    assert (at <= corners.max(axis=0) + 1e-9).all()
+
+
+def test_mean_at_a_vertex_and_of_two_components():
+    ms = mesh_set(*side_by_side((VERTICES, FACES), (VERTICES, FACES)))
+    found = ms.apply_filter(MEAN, surface_points="110; 111; 112")
+    assert (found["vertex"], found["face"]) == (111, -1)
+    ms.set_current_mesh(0)
+    with fails_and_changes_nothing(ms, "No path leads from point 0 (vertex 7) to point 1 (vertex 400)"):
+        ms.apply_filter(MEAN, surface_points="7; 400")
+
+
 def test_disk_selects_vertices_and_faces(ms, points):
     for around, at in ((points.parameters, points.at), ({"vertex_index": 170}, VERTICES[[170]])):
         select_vertices(ms, SELECTED)
@@ -335,6 +363,52 @@ def test_path_through_points_in_their_order(ms, points, closed):
     for place, walked in zip(passed, np.concatenate([[0], np.cumsum(legs)]), strict=True):
         there = np.linalg.norm(path.vertex_matrix() - place, axis=1) < 1e-9
         assert np.abs(along[there] - walked).min() < 1e-9
+
+
+@pytest.mark.parametrize("closed", [False, True])
+def test_a_smooth_curve_in_the_plane_is_a_spline(ms, closed):
+    """That of Catmull and Rom, by cubic Bezier curves."""
+    through = BESIDE * [0.5, 0.5, 1] + [1, 1, 0]
+    ms.add_mesh(pymeshlab.Mesh(through), set_as_current=False)
+    found = ms.apply_filter(SMOOTH, point_layer=2, closed=closed, samples=5)
+    p = through * [1, 1, 0]
+    onwards, back = np.roll(p, -1, axis=0) - p, np.roll(p, 1, axis=0) - p
+    direction = (onwards - back) / 2
+    if not closed:
+        direction[0], direction[-1] = onwards[0], -back[-1]
+    t = np.arange(5)[:, None] / 5
+    parts = []
+    for i, j in zip(range(4 if closed else 3), (1, 2, 3, 0), strict=False):
+        control = p[i], p[i] + direction[i] / 3, p[j] - direction[j] / 3, p[j]
+        parts.append(sum(c * (1 - t) ** (3 - k) * t**k * (1, 3, 3, 1)[k] for k, c in enumerate(control)))
+    samples = np.concatenate([*parts, p[[0 if closed else 3]]])
+    curve = ms.current_mesh()
+    np.testing.assert_allclose(straight(samples, curve.vertex_matrix()).min(axis=1), 0, atol=1e-9)
+    length_between = np.linalg.norm(np.diff(samples, axis=0), axis=1).sum()
+    assert found["length"] == pytest.approx(length_between, rel=1e-9)
+    assert curve.vertex_scalar_array()[-1] == pytest.approx(length_between, rel=1e-9)
+    assert found["snap_distance"] == pytest.approx(0.25)
+
+
+@pytest.mark.parametrize("degrees", [0, 60])
+def test_cut_locus_of_points_of_the_plane(ms, points, degrees):
+    """The borders of their Voronoi regions, where two of them are seen in different directions."""
+    found = ms.apply_filter(CUT_LOCUS, min_angle=degrees, **points.parameters)
+    lines = ms.current_mesh()
+    assert lines.edge_number() == found["segments"] > 10
+    at = lines.vertex_matrix()
+    apart = straight(at, points.at)
+    nearest = np.argsort(apart, axis=1)[:, :2]
+    two = np.take_along_axis(apart, nearest, axis=1)
+    np.testing.assert_allclose(two, np.repeat(lines.vertex_scalar_array()[:, None], 2, axis=1), atol=1e-9)
+    ways = (points.at[nearest] - at[:, None]) / two[..., None]
+    meeting = np.sort(apart, axis=1)[:, 2] - two[:, 1] < 1e-9  # of three lines
+    seen = np.degrees(np.arccos(np.clip((ways[:, 0] * ways[:, 1]).sum(axis=1), -1, 1)))
+    assert seen[~meeting].min() >= degrees - 1e-6
+    ms.set_current_mesh(0)
+    borders = ms.apply_filter(VORONOI, exact=True, **points.parameters)["border_length"]
+    assert found["length"] == pytest.approx(borders, rel=1e-6) if degrees == 0 else found["length"] < 0.9 * borders
+    assert found["snap_distance"] == pytest.approx(points.moved)
 
 
 def test_numpy_writes_points_as_the_filters_read_them(ms):
