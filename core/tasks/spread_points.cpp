@@ -146,48 +146,18 @@ std::vector<Index> sample_poisson_disk(Surface& surface, double radius, std::uin
   return samples;
 }
 
-// ---- In each round: the Voronoi region of every point, then moves that lower the energy of their region
+// ---- In each round, points move to the middle of their Voronoi regions where that lowers the energy
 
 namespace {
 
 /// Least step: a fraction of the line from a point to the centre of its region.
 constexpr double least_step = 0.1;
 
-struct Label {
-  double distance = unreachable;
-  Index site = no_index;
-  bool operator<(const Label& other) const {
-    return distance < other.distance || (distance == other.distance && site < other.site);
-  }
+/// The surface as points divide it, by vertex.
+struct Division {
+  std::vector<double> distance;
+  std::vector<Index> region;  ///< the nearest point
 };
-
-/// Nearest site of each vertex, from fields bounded by how far each region reaches.
-std::vector<Label> label_vertices(Workers& workers, const std::vector<SurfacePoint>& sites,
-                                  const Progress& progress) {
-  std::vector<Index> region;
-  const auto nearest = workers.field_on_all_threads(sites, unreachable, &region);
-  std::vector<double> radius(sites.size(), 0.0);
-  for (std::size_t v = 0; v < nearest.size(); ++v) {
-    if (region[v] != no_index) radius[region[v]] = std::max(radius[region[v]], nearest[v]);
-  }
-  const std::size_t count = nearest.size();
-  std::vector<std::vector<Label>> of_worker(workers.threads());
-  parallel_for(sites.size(), workers.threads(), progress, "Lloyd relaxation", [&](std::size_t i, int worker) {
-    auto& labels = of_worker[worker];
-    labels.resize(count);
-    const auto field = workers.field(sites[i], bounded_field_slack * radius[i], worker);
-    for (std::size_t v = 0; v < count; ++v) {
-      labels[v] = std::min(labels[v], Label{field[v], field[v] < unreachable ? static_cast<Index>(i) : -1});
-    }
-  });
-  std::vector<Label> result(count);
-  for (const auto& labels : of_worker) {
-    for (std::size_t v = 0; v < labels.size(); ++v) {
-      if (labels[v].site != no_index) result[v] = std::min(result[v], labels[v]);
-    }
-  }
-  return result;
-}
 
 Point between(const Point& p, const Point& q, double t) {
   return {p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2])};
@@ -240,69 +210,82 @@ RelaxedPoints relax_points(Surface& surface, const PointList& given, Index round
         "and no positions; give positions as well.");
   }
   if (rounds < 0) throw InvalidInput("The number of rounds is negative; give 0 or more.");
-  const auto count = static_cast<double>(points.size());
-  // Two fields for each point and round, the second one as far again.
-  Workers workers(surface, options, 2.0 * count * std::max<Index>(1, rounds), reach_of_regions(0.5 * count));
+  // Mostly two fields from all points for each round.
+  Workers workers(surface, options, 2.0 * (rounds + 1.0));
   const Progress& progress = workers.progress();
   std::vector<double> area =
       weights.empty() ? vertex_areas(mesh) : std::vector<double>(weights.begin(), weights.end());
   area.resize(mesh.vertex_count(), 0.0);
+  const std::size_t count = points.size();
+  const auto divide = [&](const std::vector<SurfacePoint>& sites) {
+    Division division;
+    division.distance = workers.field_on_all_threads(sites, unreachable, &division.region);
+    return division;
+  };
+  // By region, of which the distances may be those from other points.
+  const auto energies = [&](const std::vector<Index>& region, const std::vector<double>& distance) {
+    std::vector<double> energy(count, 0.0);
+    for (std::size_t v = 0; v < region.size(); ++v) {
+      if (region[v] != no_index) energy[region[v]] += area[v] * powered(distance[v], power);
+    }
+    return energy;
+  };
+  const auto sum = [](const std::vector<double>& energy) {
+    return std::accumulate(energy.begin(), energy.end(), 0.0);
+  };
+
   RelaxedPoints result;
   result.points.assign(points.begin(), points.end());
-  std::vector<double> step(points.size(), 1.0);
+  std::vector<double> step(count, 1.0);
+  Division now;
   for (Index round = 0;; ++round) {
-    const Progress of_round =
-        progress.part(static_cast<double>(round) / (rounds + 1.0), (round + 1.0) / (rounds + 1.0));
-    const auto labels = label_vertices(workers, result.points, of_round.part(0.0, 0.5));
-    std::vector<std::vector<Index>> region(points.size());
-    std::vector<double> energy(points.size(), 0.0), radius(points.size(), 0.0);
-    for (Index v = 0; v < mesh.vertex_count(); ++v) {
-      const Label& label = labels[v];
-      if (label.site == no_index) continue;
-      region[label.site].push_back(v);
-      energy[label.site] += area[v] * powered(label.distance, power);
-      radius[label.site] = std::max(radius[label.site], label.distance);
-    }
-    result.energy.push_back(std::accumulate(energy.begin(), energy.end(), 0.0));
-    result.region.clear();
-    for (const Label& label : labels) result.region.push_back(label.site);
+    const Watch watch(progress.part(round / (rounds + 1.0), (round + 1.0) / (rounds + 1.0)),
+                      "Lloyd relaxation");
+    if (round == 0) now = divide(result.points);
+    const std::vector<double> energy = energies(now.region, now.distance);
+    result.energy.push_back(sum(energy));
     if (round == rounds) break;
-
-    std::vector<SurfacePoint> moved_to(points.size());
-    parallel_for(points.size(), workers.threads(), of_round.part(0.5, 1.0), "Lloyd relaxation",
-                 [&](std::size_t i, int worker) {
-                   if (step[i] < least_step) return;
-                   const SurfacePoint candidate =
-                       candidate_of(mesh, area, region[i], result.points[i], step[i]);
-                   if (candidate == result.points[i]) {
-                     step[i] = 0.0;
-                     return;
-                   }
-                   const double reach = radius[i] + labels[candidate.vertex].distance;
-                   const auto field = workers.field(candidate, bounded_field_slack * reach, worker);
-                   double there = 0.0;
-                   for (Index v : region[i]) there += area[v] * powered(field[v], power);
-                   if (there < energy[i]) {
-                     moved_to[i] = candidate;
-                   } else {
-                     step[i] *= 0.5;
-                   }
-                 });
-    bool any_moved = false;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (!moved_to[i].is_vertex()) continue;
-      result.points[i] = moved_to[i];
-      step[i] = 1.0;
-      any_moved = true;
+    std::vector<std::vector<Index>> region(count);
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      if (now.region[v] != no_index) region[now.region[v]].push_back(v);
     }
-    bool goes_on = false;
-    for (double& of_point : step) {
-      // Neighbours that moved have changed the region, so a point that had settled tries again.
-      if (of_point < least_step && any_moved) of_point = 1.0;
-      goes_on = goes_on || of_point >= least_step;
+    std::vector<SurfacePoint> moved = result.points;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (step[i] < least_step) continue;
+      moved[i] = candidate_of(mesh, area, region[i], result.points[i], step[i]);
+      if (moved[i] == result.points[i]) step[i] = 0.0;
     }
-    if (!goes_on) break;
+    if (moved == result.points) break;
+    // Those whose region would have more energy go back, until there are none.
+    Division next;
+    std::vector<double> there;
+    for (bool is_final = false; !is_final;) {
+      is_final = true;
+      next = divide(moved);
+      there = energies(now.region, next.distance);
+      for (std::size_t i = 0; i < count; ++i) {
+        if (moved[i] == result.points[i] || there[i] < energy[i]) continue;
+        moved[i] = result.points[i];
+        step[i] *= 0.5;
+        is_final = false;
+      }
+    }
+    const bool is_less = sum(there) < result.energy.back();  // or all went back, or an index errs
+    for (std::size_t i = 0; i < count; ++i) {
+      if (moved[i] != result.points[i]) step[i] = is_less ? 1.0 : 0.5 * step[i];
+    }
+    if (!is_less) continue;
+    // A point that had settled tries again in another region.
+    for (std::size_t v = 0; v < now.region.size(); ++v) {
+      if (now.region[v] == next.region[v]) continue;
+      for (const Index i : {now.region[v], next.region[v]}) {
+        if (i != no_index && step[i] < least_step) step[i] = 1.0;
+      }
+    }
+    result.points = std::move(moved);
+    now = std::move(next);
   }
+  result.region = std::move(now.region);
   for (const SurfacePoint& point : result.points) result.vertices.push_back(point.vertex);
   progress.report(1.0, "Lloyd relaxation");
   return result;
