@@ -126,8 +126,8 @@ class Means(Tasks):
 
         Notes
         -----
-        In a round a field from each centre, from the index if there is one; of all vertices two, bounded by the size of
-        the regions. Means of points take exact fields besides, bounded by their cluster.
+        In a round a field from each centre, from the index if there is one; of all vertices mostly two from all centres
+        at once. Means of points take exact fields besides, bounded by their cluster.
         """
         return self._clusters(count, points, weights, _MEAN, seed, rounds, method, progress)
 

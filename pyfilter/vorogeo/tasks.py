@@ -570,8 +570,8 @@ class Tasks:
     ) -> RelaxedPoints:
         """Lloyd relaxation: move points to the middle of their geodesic Voronoi regions, at vertices.
 
-        A point moves only if that lowers the integral of squared geodesic distances over its region. Complexity: two
-        fields for each point and round, bounded by the size of the regions.
+        A point moves only if that, with the moves of the others, lowers the integral of squared geodesic distances over
+        its region. Complexity: mostly two fields from all points for each round.
 
         Parameters
         ----------
