@@ -43,6 +43,7 @@
 
 // The core's own names, before the header below declares public ones beside them.
 namespace inner {
+using vorogeo::b_spline;
 using vorogeo::band;
 using vorogeo::bezier;
 using vorogeo::Cancelled;

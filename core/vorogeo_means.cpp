@@ -24,6 +24,15 @@ Path bezier(const Surface& surface, const PointList& points, int samples, const 
   });
 }
 
+Path b_spline(const Surface& surface, const PointList& points, bool closed, int levels,
+              const TaskOptions& options) {
+  return ask(surface, options, [&](Asked& at) {
+    at.options.answered = &at.answered;
+    return path_out(at.mesh, inner::b_spline(at.surface, at.in(points), closed, levels, at.options),
+                    at.answered);
+  });
+}
+
 Path spline(const Surface& surface, const PointList& points, bool closed, int samples,
             const TaskOptions& options) {
   return ask(surface, options, [&](Asked& at) {

@@ -399,6 +399,11 @@ VOROGEO_API std::vector<SurfacePoint> points_along(const Surface& surface, const
 /// path_through(), and for fewer than one sample.
 VOROGEO_API Path bezier(const Surface& surface, const PointList& points, int samples = 32,
                         const TaskOptions& options = {});
+/// The uniform cubic B-spline curve of control points, `closed`: all the way round, else from the first to
+/// the last: after so many levels of subdivision (Lane, Riesenfeld), with middles of shortest paths. \throw
+/// InvalidInput likewise, and for fewer than three points of a closed one.
+VOROGEO_API Path b_spline(const Surface& surface, const PointList& points, bool closed = false,
+                          int levels = 4, const TaskOptions& options = {});
 /// A curve through all points, `closed`: and back to the first; between two neighbours a cubic Bezier curve
 /// with so many samples. Its direction at a point is that from the one before to the next (Catmull, Rom).
 /// \throw InvalidInput likewise, and as log_map().

@@ -131,13 +131,16 @@ ExactPath joined(Surface& surface, const Points& samples, const TaskOptions& opt
   return curve;
 }
 
-PointList checked_controls(const Mesh& mesh, const PointList& points, std::size_t least, Index samples) {
+/// `what`: samples or levels, of which there are `count`.
+PointList checked_controls(const Mesh& mesh, const PointList& points, std::size_t least, Index count,
+                           const char* what = "samples") {
   if (points.size() < least) {
     throw InvalidInput("There are " + std::to_string(points.size()) + " points for a curve; give at least " +
                        std::to_string(least) + ".");
   }
-  if (samples < 1) {
-    throw InvalidInput("The number of samples is " + std::to_string(samples) + "; give at least 1.");
+  if (count < 1) {
+    throw InvalidInput("The number of " + std::string(what) + " is " + std::to_string(count) +
+                       "; give at least 1.");
   }
   return points_on(mesh, points, "Point");
 }
@@ -150,6 +153,14 @@ std::vector<ExactPath> legs_of(Surface& surface, const PointList& points, bool c
   closed ? to.push_back(points[0]) : from.pop_back();
   return legs(surface, from, to, options,
               [&](std::size_t i) { refuse_leg(mesh, i, from[i], (i + 1) % points.size(), to[i]); });
+}
+
+Points middles(Surface& surface, const Points& points, bool closed, const TaskOptions& options) {
+  Points found;
+  for (const ExactPath& leg : legs_of(surface, points, closed, options)) {
+    found.push_back(AlongPath(*surface.mesh(), leg.path.points).at(0.5));
+  }
+  return found;
 }
 
 /// The vector from the point of a frame along a path of some length; `path` begins there.
@@ -191,6 +202,33 @@ ExactPath bezier(Surface& surface, const PointList& given, Index samples, const 
   Points curve =
       casteljau(surface, {Points(points.begin(), points.end())}, samples, part_of(options, 0.0, 0.8));
   curve.push_back(points[points.size() - 1]);
+  return joined(surface, curve, part_of(options, 0.8, 1.0));
+}
+
+ExactPath b_spline(Surface& surface, const PointList& given, bool closed, Index levels,
+                   const TaskOptions& options) {
+  const PointList points = checked_controls(*surface.mesh(), given, closed ? 3 : 2, levels, "levels");
+  Points curve(points.begin(), points.end());
+  for (Index level = 0; level < levels; ++level) {
+    const auto third = [&](int number) {
+      const double all = 3.0 * levels / 0.8, done = 3.0 * level + number;
+      return part_of(options, done / all, (done + 1.0) / all);
+    };
+    // Each point twice, then three times the middles of neighbours: the first time, points and middles in
+    // turn.
+    const Points middle = middles(surface, curve, closed, third(0));
+    Points finer;
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+      finer.push_back(curve[i]);
+      if (i < middle.size()) finer.push_back(middle[i]);
+    }
+    if (!closed) {
+      finer.insert(finer.begin(), 2, curve.front());
+      finer.insert(finer.end(), 2, curve.back());
+    }
+    curve = middles(surface, middles(surface, finer, closed, third(1)), closed, third(2));
+  }
+  if (closed) curve.push_back(curve.front());
   return joined(surface, curve, part_of(options, 0.8, 1.0));
 }
 

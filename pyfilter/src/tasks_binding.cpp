@@ -350,6 +350,13 @@ auto bezier_curve(const TaskOptions& options, const HeldSurface& held, const Poi
   return arrays.take();
 }
 
+auto b_spline_curve(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
+                    bool closed, Index levels) {
+  PathArrays arrays;
+  arrays.add(held.mesh(), b_spline(*held.surface, held.points(points), closed, levels, options));
+  return arrays.take();
+}
+
 auto spline_curve(const TaskOptions& options, const HeldSurface& held, const PointArrays& points, bool closed,
                   Index samples) {
   PathArrays arrays;
@@ -466,6 +473,7 @@ void bind_tasks(nb::class_<HeldSurface>& surface) {
   bind_question(surface, "transport", &carried);
   bind_question(surface, "points_along", &along);
   bind_question(surface, "bezier", &bezier_curve);
+  bind_question(surface, "b_spline", &b_spline_curve);
   bind_question(surface, "spline", &spline_curve);
   bind_question(surface, "centre", &centre);
   bind_question(surface, "medoid", &medoid_of);

@@ -91,6 +91,32 @@ class Measuring(Tasks):
         found = self._ask(self._shared.core.bezier, chosen, steps, method=method, progress=progress)
         return paths_of(found)[0]
 
+    def b_spline(
+        self,
+        points: Points,
+        closed: bool = False,
+        levels: int = 4,
+        progress: ProgressFunction | bool | None = None,
+        method: str | None = None,
+    ) -> GeodesicPath:
+        """The cubic B-spline curve of control points, by subdivision with middles of shortest paths.
+
+        It is smoother than `spline`, and passes near the points but not through them. On each level each point counts
+        twice, and three times the middles of neighbours take their place (Lane, Riesenfeld 1980).
+
+        Parameters
+        ----------
+        points : k points, k >= 2, or 3 of a closed curve
+            Of one component.
+        closed : bool, default False
+            Whether it leads all the way round; else it begins at the first point and ends at the last.
+        levels : int, default 4
+            After which there are some 2**levels points for each given one, which shortest paths join.
+        """
+        chosen, steps = self._rows("points", points), check.integer("levels", levels, 1, 20)
+        found = self._ask(self._shared.core.b_spline, chosen, bool(closed), steps, method=method, progress=progress)
+        return paths_of(found)[0]
+
     def spline(
         self,
         points: Points,

@@ -70,6 +70,30 @@ def test_on_a_plane_splines_are_those_of_catmull_and_rom(closed):
     assert_passes(surface.spline(mixed, samples=4), catmull_rom(places, False, 4))
 
 
+def subdivided(places, closed, levels):
+    """Control points of a uniform cubic B-spline by the rules for vertices and edges; open, with ends of three."""
+    for _ in range(levels):
+        before, after = np.roll(places, 1, axis=0), np.roll(places, -1, axis=0)
+        if not closed:
+            before[0], after[-1] = places[0], places[-1]
+        on_vertices, on_edges = (before + 6 * places + after) / 8, (places + after) / 2
+        if closed:
+            places = np.stack([on_edges, np.roll(on_vertices, -1, axis=0)], axis=1).reshape(-1, 2)
+        else:
+            inner = np.stack([on_vertices, on_edges], axis=1).reshape(-1, 2)[:-1]
+            places = np.vstack([places[:1], inner, places[-1:]])
+    return np.vstack([places, places[:1]]) if closed else places
+
+
+@pytest.mark.parametrize("closed", [False, True])
+@pytest.mark.parametrize("levels", [1, 3])
+def test_on_a_plane_b_splines_are_those_of_coordinates(closed, levels):
+    surface = sheet()
+    curve = surface.b_spline(points_of(surface, CONTROLS), closed=closed, levels=levels)
+    assert_passes(curve, subdivided(CONTROLS, closed, levels))
+    assert not curve.certified
+
+
 def test_round_a_tube_curves_are_those_of_the_plane_that_it_unrolls_into():
     sides, height = 12, 4.0
     surface = vorogeo.Surface(*prism(sides, 9, height))
@@ -144,8 +168,8 @@ def test_moved_turned_and_scaled_curves_are_the_same():
     turn, _ = np.linalg.qr(np.random.default_rng(2).normal(size=(3, 3)))
     one, other = vorogeo.Surface(vertices, faces), vorogeo.Surface(1000 * vertices @ turn, faces)
     points = [18, 70, 100, 25]
-    for name in ("bezier", "spline"):
-        first, second = getattr(one, name)(points, samples=6), getattr(other, name)(points, samples=6)
+    for name, steps in (("bezier", {"samples": 6}), ("spline", {"samples": 6}), ("b_spline", {"levels": 3})):
+        first, second = getattr(one, name)(points, **steps), getattr(other, name)(points, **steps)
         np.testing.assert_allclose(second.length, 1000 * first.length, rtol=1e-7)
     by_index = vorogeo.GeodesicIndex(vertices, faces, patches=(3, 3)).spline(points, samples=6)
     np.testing.assert_allclose(by_index.length, one.spline(points, samples=6).length, rtol=1e-7)
@@ -155,6 +179,9 @@ def test_moved_turned_and_scaled_curves_are_the_same():
     ("call", "message"),
     [
         (lambda s: s.bezier([3]), "There are 1 points for a curve; give at least 2"),
+        (lambda s: s.b_spline([3, 4], closed=True), "There are 2 points for a curve; give at least 3"),
+        (lambda s: s.b_spline([3, 4], levels=0), "levels: 0 is out of range"),
+        (lambda s: s.b_spline([3, 4, 30]), r"from point 1 \(vertex 4\) to point 2 \(vertex 30\).*two components"),
         (lambda s: s.spline([3, 4], closed=True), "There are 2 points for a curve; give at least 3"),
         (lambda s: s.bezier([3, 4], samples=0), "samples: 0 is out of range"),
         (lambda s: s.spline([3, 99]), r"points\[1\]: there is no vertex 99"),
