@@ -46,6 +46,8 @@ std::vector<Index> seeds(Workers& workers, Index count, const PointList& points,
   std::mt19937_64 random(seed);
   std::vector<double> nearest(points.size(), unreachable), share(points.size());
   std::vector<Index> chosen;
+  std::vector<Point> place;
+  for (const SurfacePoint& point : points) place.push_back(position_of(workers.mesh(), point));
   double farthest = unreachable;
   while (static_cast<Index>(chosen.size()) < count) {
     // On a component without a seed, points come first.
@@ -67,7 +69,13 @@ std::vector<Index> seeds(Workers& workers, Index count, const PointList& points,
       if ((left -= share[i]) < 0.0) break;
     }
     chosen.push_back(next);
-    const auto row = workers.distances(points[next], points, farthest, 0);
+    // No point gets nearer to a seed than a straight line leads there.
+    double reach = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (workers.mesh().straight_bound(place[i], place[next]) < nearest[i])
+        reach = std::max(reach, nearest[i]);
+    }
+    const auto row = workers.distances(points[next], points, reach, 0);
     farthest = 0.0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       nearest[i] = std::min(nearest[i], row[i]);
@@ -229,8 +237,7 @@ Clusters clusters_of(Surface& surface, Index count, const std::optional<PointLis
   {
     TaskOptions seeding = options;
     seeding.progress = options.progress.part(0.0, 0.1);
-    Workers workers(surface, seeding, 2.0 * count * std::max<Index>(1, rounds),
-                    reach_of_regions(0.5 * count));
+    Workers workers(surface, seeding, count, reach_of_regions(0.5 * count));
     for (const Index i : seeds(workers, count, points, of_listed, power, seed, workers.progress())) {
       first.push_back(vertices[i]);
     }
