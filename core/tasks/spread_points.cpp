@@ -256,21 +256,19 @@ RelaxedPoints relax_points(Surface& surface, const PointList& given, Index round
       if (moved[i] == result.points[i]) step[i] = 0.0;
     }
     if (moved == result.points) break;
-    // Those whose region would have more energy go back, until there are none.
-    Division next;
-    std::vector<double> there;
-    for (bool is_final = false; !is_final;) {
-      is_final = true;
-      next = divide(moved);
-      there = energies(now.region, next.distance);
-      for (std::size_t i = 0; i < count; ++i) {
-        if (moved[i] == result.points[i] || there[i] < energy[i]) continue;
-        moved[i] = result.points[i];
-        step[i] *= 0.5;
-        is_final = false;
-      }
+    Division next = divide(moved);
+    const std::vector<double> there = energies(now.region, next.distance);
+    bool any_back = false;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (moved[i] == result.points[i] || there[i] < energy[i]) continue;
+      moved[i] = result.points[i];
+      step[i] *= 0.5;
+      any_back = true;
     }
-    const bool is_less = sum(there) < result.energy.back();  // or all went back, or an index errs
+    if (moved == result.points) continue;
+    if (any_back) next = divide(moved);
+    // More only if neighbours that went back had helped a region, or an index errs.
+    const bool is_less = sum(energies(next.region, next.distance)) < result.energy.back();
     for (std::size_t i = 0; i < count; ++i) {
       if (moved[i] != result.points[i]) step[i] = is_less ? 1.0 : 0.5 * step[i];
     }
