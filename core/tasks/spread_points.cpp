@@ -210,7 +210,7 @@ RelaxedPoints relax_points(Surface& surface, const PointList& given, Index round
         "and no positions; give positions as well.");
   }
   if (rounds < 0) throw InvalidInput("The number of rounds is negative; give 0 or more.");
-  // Mostly two fields from all points for each round.
+  // Up to two fields from all points for each round.
   Workers workers(surface, options, 2.0 * (rounds + 1.0));
   const Progress& progress = workers.progress();
   std::vector<double> area =

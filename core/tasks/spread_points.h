@@ -64,7 +64,7 @@ struct RelaxedPoints {
 /// geodesic distances over its region, so the energy never rises. Ends after `rounds`, or when no point finds
 /// a better vertex; one that has not found any tries again when its region has changed. A point that repeats
 /// an earlier one owns no region and waits until that one has moved. \throw InvalidInput for no point or one
-/// that is not on the mesh, or negative rounds; Cancelled. Complexity: mostly two fields from all points for
+/// that is not on the mesh, or negative rounds; Cancelled. Complexity: up to two fields from all points for
 /// each round. `weights`: of vertices, instead of a third of their faces. `power`: of the distances, by which
 /// the energy counts.
 RelaxedPoints relax_points(Surface& surface, const PointList& points, Index rounds,

@@ -126,7 +126,7 @@ class Means(Tasks):
 
         Notes
         -----
-        In a round a field from each centre, from the index if there is one; of all vertices mostly two from all centres
+        In a round a field from each centre, from the index if there is one; of all vertices up to two from all centres
         at once. Means of points take exact fields besides, bounded by their cluster.
         """
         return self._clusters(count, points, weights, _MEAN, seed, rounds, method, progress)

@@ -571,7 +571,7 @@ class Tasks:
         """Lloyd relaxation: move points to the middle of their geodesic Voronoi regions, at vertices.
 
         A point moves only if that, with the moves of the others, lowers the integral of squared geodesic distances over
-        its region. Complexity: mostly two fields from all points for each round.
+        its region. Complexity: up to two fields from all points for each round.
 
         Parameters
         ----------
