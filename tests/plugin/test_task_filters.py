@@ -390,7 +390,7 @@ def test_a_smooth_curve_in_the_plane_is_a_spline(ms, closed):
     assert found["snap_distance"] == pytest.approx(0.25)
 
 
-@pytest.mark.parametrize("degrees", [0, 60])
+@pytest.mark.parametrize("degrees", [0, 120])
 def test_cut_locus_of_points_of_the_plane(ms, points, degrees):
     """The borders of their Voronoi regions, where two of them are seen in different directions."""
     found = ms.apply_filter(CUT_LOCUS, min_angle=degrees, **points.parameters)
@@ -405,10 +405,12 @@ def test_cut_locus_of_points_of_the_plane(ms, points, degrees):
     meeting = np.sort(apart, axis=1)[:, 2] - two[:, 1] < 1e-9  # of three lines
     seen = np.degrees(np.arccos(np.clip((ways[:, 0] * ways[:, 1]).sum(axis=1), -1, 1)))
     assert seen[~meeting].min() >= degrees - 1e-6
+    assert found["snap_distance"] == pytest.approx(points.moved)
     ms.set_current_mesh(0)
     borders = ms.apply_filter(VORONOI, exact=True, **points.parameters)["border_length"]
-    assert found["length"] == pytest.approx(borders, rel=1e-6) if degrees == 0 else found["length"] < 0.9 * borders
-    assert found["snap_distance"] == pytest.approx(points.moved)
+    assert (found["length"] < 0.95 * borders) == (degrees > 0 or not points.parameters)
+    if points.parameters and degrees == 0:  # edges that lead straight to a source lack their crossings
+        assert found["length"] == pytest.approx(borders, rel=1e-6)
 
 
 def test_numpy_writes_points_as_the_filters_read_them(ms):
