@@ -2,7 +2,9 @@
 #include "tasks/clusters.h"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
+#include <queue>
 #include <random>
 #include <set>
 #include <string>
@@ -40,18 +42,18 @@ void require_enough(const Mesh& mesh, Index count, const PointList& points, std:
 }
 
 /// k-means++: positions of points, each chosen by its weight and the power of its distance from those before.
-std::vector<Index> seeds(Workers& workers, Index count, const PointList& points,
-                         std::span<const double> weights, Power power, std::uint64_t seed,
-                         const Progress& progress) {
+/// lower(seed, farthest, nearest): lowers the distances to those from one more, where these are not greater
+/// than the farthest one that counts.
+template <class Lower>
+std::vector<Index> seeds(Index count, std::span<const double> weights, Power power, std::uint64_t seed,
+                         const Progress& progress, const Lower& lower) {
   std::mt19937_64 random(seed);
-  std::vector<double> nearest(points.size(), unreachable), share(points.size());
+  std::vector<double> nearest(weights.size(), unreachable), share(weights.size());
   std::vector<Index> chosen;
-  std::vector<Point> place;
-  for (const SurfacePoint& point : points) place.push_back(position_of(workers.mesh(), point));
   double farthest = unreachable;
   while (static_cast<Index>(chosen.size()) < count) {
     // On a component without a seed, points come first.
-    for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t i = 0; i < weights.size(); ++i) {
       const bool comes = weights[i] > 0.0 && (farthest < unreachable || nearest[i] == unreachable);
       share[i] = comes ? weights[i] * (farthest < unreachable ? powered(nearest[i], power) : 1.0) : 0.0;
     }
@@ -63,27 +65,44 @@ std::vector<Index> seeds(Workers& workers, Index count, const PointList& points,
     }
     double left = sum * static_cast<double>(random() >> 11U) * 0x1p-53;
     Index next = no_index;
-    for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t i = 0; i < weights.size(); ++i) {
       if (!(share[i] > 0.0)) continue;
       next = static_cast<Index>(i);
       if ((left -= share[i]) < 0.0) break;
     }
     chosen.push_back(next);
-    // No point gets nearer to a seed than a straight line leads there.
-    double reach = 0.0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (workers.mesh().straight_bound(place[i], place[next]) < nearest[i])
-        reach = std::max(reach, nearest[i]);
-    }
-    const auto row = workers.distances(points[next], points, reach, 0);
+    lower(next, farthest, nearest);
     farthest = 0.0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      nearest[i] = std::min(nearest[i], row[i]);
+    for (std::size_t i = 0; i < weights.size(); ++i) {
       if (weights[i] > 0.0) farthest = std::max(farthest, nearest[i]);
     }
     progress.report(static_cast<double>(chosen.size()) / count, "Seeds of clusters");
   }
   return chosen;
+}
+
+/// Lowers distances along edges, by vertex, to those from one more vertex.
+void lower_along_edges(const Mesh& mesh, Index from, std::vector<double>& distance) {
+  using Entry = std::pair<double, Index>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> next;
+  const auto reach = [&](Index vertex, double walked) {
+    if (!(walked < distance[vertex])) return;
+    distance[vertex] = walked;
+    next.emplace(walked, vertex);
+  };
+  reach(mesh.representative(from), 0.0);
+  while (!next.empty()) {
+    const auto [walked, vertex] = next.top();
+    next.pop();
+    if (walked > distance[vertex]) continue;
+    for (const Index h : mesh.corners(vertex)) {
+      const Index before = Mesh::previous_in_face(h);
+      reach(mesh.head(h), walked + mesh.edge_length(mesh.edge_of(h)));
+      reach(mesh.tail(before), walked + mesh.edge_length(mesh.edge_of(before)));
+    }
+  }
+  if (!mesh.has_merged_vertices()) return;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) distance[v] = distance[mesh.representative(v)];
 }
 
 /// Centres of clusters of points, with their distances from all.
@@ -215,7 +234,12 @@ Clusters clusters_of(Surface& surface, Index count, const std::optional<PointLis
     const auto weights = checked_weights(given_weights, points.size());
     require_enough(mesh, count, points, weights);
     Workers workers(surface, options, (usual_rounds + 2.0) * count);
-    const auto first = seeds(workers, count, points, weights, power, seed, workers.progress().part(0.0, 0.1));
+    const auto first = seeds(count, weights, power, seed, workers.progress().part(0.0, 0.1),
+                             [&](Index next, double farthest, std::vector<double>& nearest) {
+                               const auto row = workers.distances(points[next], points, farthest, 0);
+                               for (std::size_t i = 0; i < row.size(); ++i)
+                                 nearest[i] = std::min(nearest[i], row[i]);
+                             });
     return PointClusters(surface, workers, points, weights, power, first)
         .run(rounds, workers.progress().part(0.2, 1.0));
   }
@@ -223,25 +247,16 @@ Clusters clusters_of(Surface& surface, Index count, const std::optional<PointLis
       given_weights.empty()
           ? vertex_areas(mesh)
           : checked_weights(given_weights, static_cast<std::size_t>(mesh.given_vertex_count()));
-  std::vector<Index> vertices;
-  std::vector<double> of_listed;
-  for (Index v = 0; v < mesh.given_vertex_count(); ++v) {
+  weights.resize(mesh.vertex_count(), 0.0);
+  std::vector<Index> vertices(weights.size());
+  std::iota(vertices.begin(), vertices.end(), 0);
+  for (const Index v : vertices) {
     if (mesh.fan(v) == Mesh::Fan::isolated) weights[v] = 0.0;
-    if (!(weights[v] > 0.0)) continue;
-    vertices.push_back(v);
-    of_listed.push_back(weights[v]);
   }
-  const PointList points = vertices;
-  require_enough(mesh, count, points, of_listed);
-  std::vector<Index> first;
-  {
-    TaskOptions seeding = options;
-    seeding.progress = options.progress.part(0.0, 0.1);
-    Workers workers(surface, seeding, count, reach_of_regions(0.5 * count));
-    for (const Index i : seeds(workers, count, points, of_listed, power, seed, workers.progress())) {
-      first.push_back(vertices[i]);
-    }
-  }
+  require_enough(mesh, count, vertices, weights);
+  const auto first = seeds(
+      count, weights, power, seed, options.progress.part(0.0, 0.1),
+      [&](Index next, double, std::vector<double>& nearest) { lower_along_edges(mesh, next, nearest); });
   TaskOptions moving = options;
   moving.progress = options.progress.part(0.1, 1.0);
   auto found = relax_points(surface, first, rounds, moving, weights, power);

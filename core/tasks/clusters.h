@@ -22,13 +22,13 @@ struct Clusters {
 /// Clusters of points, or without any of all vertices with a face. `power`: two for k-means, one for
 /// k-medoids, whose centres are points of the list. Without weights, points count 1 and vertices a third of
 /// their faces. Begins with random points, each chosen by its weight and the power of its distance from those
-/// before (k-means++, Arthur, Vassilvitskii 2007). In a round, each point goes to the nearest centre, then
-/// each centre to its cluster's mean (descend()) or medoid, unless the energy would rise. Of all vertices,
-/// centres are vertices, and move as in relax_points(). Ends after `rounds`, or when no centre moves.
-/// \throw InvalidInput for a count below 1 or above the number of different points of positive weight, fewer
-/// than the components that these lie on, weights as checked_weights(), negative rounds; of means of points,
-/// also as descend(); Cancelled. Complexity: in a round a field from each centre, and those of descend() or
-/// least_energies() within its cluster; of all vertices as relax_points().
+/// before (k-means++, Arthur, Vassilvitskii 2007; of all vertices along edges). In a round, each point goes
+/// to the nearest centre, then each centre to its cluster's mean (descend()) or medoid, unless the energy
+/// would rise. Of all vertices, centres are vertices, and move as in relax_points(). Ends after `rounds`, or
+/// when no centre moves. \throw InvalidInput for a count below 1 or above the number of different points of
+/// positive weight, fewer than the components that these lie on, weights as checked_weights(), negative
+/// rounds; of means of points, also as descend(); Cancelled. Complexity: in a round a field from each centre,
+/// and those of descend() or least_energies() within its cluster; of all vertices as relax_points().
 Clusters clusters_of(Surface& surface, Index count, const std::optional<PointList>& points,
                      std::span<const double> weights, Power power, Index rounds, std::uint64_t seed,
                      const TaskOptions& options = {});

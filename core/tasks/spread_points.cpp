@@ -210,7 +210,6 @@ RelaxedPoints relax_points(Surface& surface, const PointList& given, Index round
         "and no positions; give positions as well.");
   }
   if (rounds < 0) throw InvalidInput("The number of rounds is negative; give 0 or more.");
-  // Up to two fields from all points for each round.
   Workers workers(surface, options, 2.0 * (rounds + 1.0));
   const Progress& progress = workers.progress();
   std::vector<double> area =
@@ -257,18 +256,20 @@ RelaxedPoints relax_points(Surface& surface, const PointList& given, Index round
     }
     if (moved == result.points) break;
     Division next = divide(moved);
-    const std::vector<double> there = energies(now.region, next.distance);
-    bool any_back = false;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (moved[i] == result.points[i] || there[i] < energy[i]) continue;
-      moved[i] = result.points[i];
-      step[i] *= 0.5;
-      any_back = true;
+    std::vector<double> there = energies(now.region, next.distance);
+    if (!(sum(there) < result.energy.back())) {
+      // Those whose region would have more go back.
+      for (std::size_t i = 0; i < count; ++i) {
+        if (moved[i] == result.points[i] || there[i] < energy[i]) continue;
+        moved[i] = result.points[i];
+        step[i] *= 0.5;
+      }
+      if (moved == result.points) continue;
+      next = divide(moved);
+      there = energies(now.region, next.distance);
     }
-    if (moved == result.points) continue;
-    if (any_back) next = divide(moved);
-    // More only if neighbours that went back had helped a region, or an index errs.
-    const bool is_less = sum(energies(next.region, next.distance)) < result.energy.back();
+    // More only if those that went back had helped the region of a neighbour, or an index errs.
+    const bool is_less = sum(there) < result.energy.back();
     for (std::size_t i = 0; i < count; ++i) {
       if (moved[i] != result.points[i]) step[i] = is_less ? 1.0 : 0.5 * step[i];
     }

@@ -106,7 +106,7 @@ class Means(Tasks):
     ) -> Clusters:
         """Clusters around their means: a low sum of weighted squared distances from the nearest centre.
 
-        Begins with k-means++ and goes on with Lloyd's rounds: each point goes to the nearest centre, each centre to the
+        Begins with k-means++ (of all vertices by distances along edges) and goes on with Lloyd's rounds: each point goes to the nearest centre, each centre to the
         mean of its points (`frechet_mean`, nearby). Of all vertices, centres are vertices, and move as those of
         `relax`: to the vertex nearest in space to the middle of their region, if that is better.
 
@@ -126,7 +126,7 @@ class Means(Tasks):
 
         Notes
         -----
-        In a round a field from each centre, from the index if there is one; of all vertices up to two from all centres
+        In a round a field from each centre, from the index if there is one; of all vertices one or two from all centres
         at once. Means of points take exact fields besides, bounded by their cluster.
         """
         return self._clusters(count, points, weights, _MEAN, seed, rounds, method, progress)

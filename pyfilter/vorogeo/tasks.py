@@ -570,8 +570,8 @@ class Tasks:
     ) -> RelaxedPoints:
         """Lloyd relaxation: move points to the middle of their geodesic Voronoi regions, at vertices.
 
-        A point moves only if that, with the moves of the others, lowers the integral of squared geodesic distances over
-        its region. Complexity: up to two fields from all points for each round.
+        All move if that lowers the integral of squared geodesic distances over the surface, otherwise those over whose
+        region it does. Complexity: one or two fields from all points for each round.
 
         Parameters
         ----------
