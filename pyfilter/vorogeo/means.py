@@ -106,9 +106,10 @@ class Means(Tasks):
     ) -> Clusters:
         """Clusters around their means: a low sum of weighted squared distances from the nearest centre.
 
-        Begins with k-means++ (of all vertices by distances along edges) and goes on with Lloyd's rounds: each point goes to the nearest centre, each centre to the
-        mean of its points (`frechet_mean`, nearby). Of all vertices, centres are vertices, and move as those of
-        `relax`: to the vertex nearest in space to the middle of their region, if that is better.
+        Begins with k-means++ and goes on with Lloyd's rounds: each point goes to the nearest centre, each centre to the
+        mean of its points (`frechet_mean`, nearby). Of all vertices, the first centres are chosen by distances along
+        edges; centres are vertices, and move as those of `relax`: to those nearest in space to the middle of their
+        regions, if that is better.
 
         Parameters
         ----------
