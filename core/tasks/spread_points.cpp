@@ -152,6 +152,8 @@ namespace {
 
 /// Least step: a fraction of the line from a point to the centre of its region.
 constexpr double least_step = 0.1;
+/// Rounds until points have settled, mostly.
+constexpr double rounds_to_settle = 12.0;
 
 /// The surface as points divide it, by vertex.
 struct Division {
@@ -210,7 +212,9 @@ RelaxedPoints relax_points(Surface& surface, const PointList& given, Index round
         "and no positions; give positions as well.");
   }
   if (rounds < 0) throw InvalidInput("The number of rounds is negative; give 0 or more.");
-  Workers workers(surface, options, 2.0 * (rounds + 1.0));
+  // An index saves what lies beyond the short reach of each point, where its fields are exact, too.
+  Workers workers(surface, options, std::min<double>(rounds, rounds_to_settle) + 1.0,
+                  std::max(0.0, 1.0 - (static_cast<double>(points.size()) - 1.0) * surface.short_reach()));
   const Progress& progress = workers.progress();
   std::vector<double> area =
       weights.empty() ? vertex_areas(mesh) : std::vector<double>(weights.begin(), weights.end());
