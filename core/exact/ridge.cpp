@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "exact/edge_axes.h"
 #include "exact/path_tracing.h"
 #include "exact/solver_state.h"
 #include "support/disjoint_sets.h"
@@ -32,11 +33,6 @@ constexpr double on_curve = 1e-7;
 /// Sources of waves this close, relative to their distance, are one.
 constexpr double same_source_within = 1e-9;
 
-using PlanePoint = std::array<double, 2>;
-
-PlanePoint minus_in_plane(const PlanePoint& a, const PlanePoint& b) { return {a[0] - b[0], a[1] - b[1]}; }
-double dot_in_plane(const PlanePoint& a, const PlanePoint& b) { return a[0] * b[0] + a[1] * b[1]; }
-double cross_in_plane(const PlanePoint& a, const PlanePoint& b) { return a[0] * b[1] - a[1] * b[0]; }
 double angle_in_plane(const PlanePoint& a, const PlanePoint& b) {
   return std::atan2(std::abs(cross_in_plane(a, b)), dot_in_plane(a, b));
 }
@@ -240,8 +236,9 @@ class RidgeFinder {
       if (face == wave.through) return;
       const BackStep step = best_back_step(state_, face, weights);
       if (!(std::abs(step.distance - distance) <= equal_waves * distance)) return;
-      const PlanePoint toward = minus_in_plane(origin_of(step, face), FacePlane(geometry_, face).at(weights));
-      const Axes axes = axes_of(face, edge);
+      const FacePlane plane(geometry_, face);
+      const PlanePoint toward = minus_in_plane(origin_of(step, face), plane.at(weights));
+      const EdgeAxes axes(geometry_, plane, face, edge);
       const PlanePoint there{dot_in_plane(toward, axes.along), dot_in_plane(toward, axes.inwards)};
       angle = std::max(angle, angle_in_plane(wave.direction(x, face), there));
     });
@@ -253,29 +250,12 @@ class RidgeFinder {
     const FacePlane plane(geometry_, face);
     if (step.source != no_index) return plane.at(source_in_face(state_, step.source, face));
     if (step.vertex != no_index) return plane.corner[corner_of(face, step.vertex)];
-    const Axes axes = axes_of(face, mesh_.edge_of(step.halfedge));
+    const EdgeAxes axes(geometry_, plane, face, mesh_.edge_of(step.halfedge));
     return {axes.origin[0] + step.x * axes.along[0], axes.origin[1] + step.x * axes.along[1]};
   }
   int corner_of(Index face, Index vertex) const {
     const auto& corners = mesh_.face_vertices(face);
     return static_cast<int>(std::ranges::find(corners, vertex) - corners.begin());
-  }
-
-  /// An edge of a face in the plane of that: where positions begin, along it, and into the face.
-  struct Axes {
-    PlanePoint origin, along, inwards;
-  };
-  Axes axes_of(Index face, Index edge) const {
-    const FacePlane plane(geometry_, face);
-    const auto [a, b] = geometry_.ends(edge);
-    const int first = corner_of(face, a), second = corner_of(face, b);
-    const PlanePoint way = minus_in_plane(plane.corner[second], plane.corner[first]);
-    const double length = std::hypot(way[0], way[1]);
-    const PlanePoint along{way[0] / length, way[1] / length};
-    PlanePoint inwards{-along[1], along[0]};
-    if (dot_in_plane(inwards, minus_in_plane(plane.corner[3 - first - second], plane.corner[first])) < 0.0)
-      inwards = {along[1], -along[0]};
-    return {plane.corner[first], along, inwards};
   }
 
   /// Lines begin at a vertex between the directions in which shortest paths arrive: behind it, at the angle
@@ -328,14 +308,14 @@ class RidgeFinder {
       // Along a side, it is found there.
       if (!(x > beside_vertex * length && x < (1.0 - beside_vertex) * length)) continue;
       const Index face = Mesh::face_of(view.halfedge);
-      const Axes axes = axes_of(face, edge);
+      const EdgeAxes axes(geometry_, FacePlane(geometry_, face), face, edge);
       const PlanePoint to{axes.origin[0] + x * axes.along[0], axes.origin[1] + x * axes.along[1]};
       beginnings_.push_back({face, frame.point().vertex, to, vertex_point(frame.point().vertex)});
       return;
     }
   }
 
-  PlaneWave in_plane(const RidgeWave& wave, Index face, const Axes& axes) const {
+  PlaneWave in_plane(const RidgeWave& wave, Index face, const EdgeAxes& axes) const {
     const double inside = wave.through == face ? wave.y : -wave.y;
     return {{axes.origin[0] + wave.x * axes.along[0] + inside * axes.inwards[0],
              axes.origin[1] + wave.x * axes.along[1] + inside * axes.inwards[1]},
@@ -371,7 +351,7 @@ class RidgeFinder {
         ends.push_back({{side, 0.0}, plane.corner[side], it->point, straight});
       }
       if (crossings_begin_[edge] == crossings_begin_[edge + 1]) return;
-      const Axes axes = axes_of(face, edge);
+      const EdgeAxes axes(geometry_, plane, face, edge);
       for (std::size_t k = crossings_begin_[edge]; k < crossings_begin_[edge + 1]; ++k) {
         const auto& [x, point, waves] = crossings_[k];
         Curve curve;
@@ -412,7 +392,7 @@ class RidgeFinder {
         add({plane.corner[side], state_.vertices[corner].distance, 0}, {side, 0.0});
       const double length = mesh_.edge_length(edge);
       if (!(length > 0.0)) return;
-      const Axes axes = axes_of(face, edge);
+      const EdgeAxes axes(geometry_, plane, face, edge);
       for (const Window& window : state_.envelope.windows(edge)) {
         if (!(window.end - window.begin > tiny_part * length)) continue;
         add(in_plane(RidgeWave(window), face, axes), {side, along(0.5 * (window.begin + window.end))});

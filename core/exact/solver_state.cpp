@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "exact/edge_axes.h"
+
 namespace vorogeo {
 
 // ---- Where windows come from: sources, and vertices at which a shortest path may bend
@@ -158,24 +160,21 @@ void ExactSolver::State::start() {
 }
 
 void ExactSolver::State::start_along(const SourceSegment& segment) {
-  using Vector = std::array<double, 2>;
-  const auto product = [](const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1]; };
-  const auto difference = [](const Vector& a, const Vector& b) { return Vector{a[0] - b[0], a[1] - b[1]}; };
   const FacePlane plane(*geometry, segment.face);
-  const Vector from = plane.at(segment.from);
-  const Vector step = difference(plane.at(segment.to), from);
+  const PlanePoint from = plane.at(segment.from);
+  const PlanePoint step = minus_in_plane(plane.at(segment.to), from);
   const double length = std::hypot(step[0], step[1]);
   if (!(length > 0.0)) return;
   const double pieces = std::clamp(std::ceil(length / mesh.typical_edge_length()), 1.0, most_pieces);
   const double piece = length / pieces;
   const double behind = far_behind * piece;
-  const Vector along{step[0] / length, step[1] / length};
+  const PlanePoint along{step[0] / length, step[1] / length};
   for (const double side : {1.0, -1.0}) {
-    const Vector ahead{-side * along[1], side * along[0]};
-    std::array<Vector, 3> corner{};  // along the segment, and ahead of it
+    const PlanePoint ahead{-side * along[1], side * along[0]};
+    std::array<PlanePoint, 3> corner{};  // along the segment, and ahead of it
     for (int i = 0; i < 3; ++i) {
-      const Vector place = difference(plane.corner[i], from);
-      corner[i] = {product(place, along), product(place, ahead)};
+      const PlanePoint place = minus_in_plane(plane.corner[i], from);
+      corner[i] = {dot_in_plane(place, along), dot_in_plane(place, ahead)};
       const auto [x, height] = corner[i];
       const Index v = mesh.face_vertices(segment.face)[i];
       if (x >= 0.0 && x <= length && height >= 0.0 && height < vertices[v].distance)
@@ -190,12 +189,7 @@ void ExactSolver::State::start_along(const SourceSegment& segment) {
       if (!(edge_length > 0.0)) continue;
       const bool is_forth = mesh.tail(h) == geometry->ends(edge)[0];
       const int first = is_forth ? i : (i + 1) % 3, second = is_forth ? (i + 1) % 3 : i;
-      const Vector way = difference(plane.corner[second], plane.corner[first]);
-      const Vector unit{way[0] / edge_length, way[1] / edge_length};
-      // Away from the edge into the face.
-      Vector inwards{-unit[1], unit[0]};
-      if (product(inwards, difference(plane.corner[(i + 2) % 3], plane.corner[first])) < 0.0)
-        inwards = {unit[1], -unit[0]};
+      const EdgeAxes axes(*geometry, plane, segment.face, edge);
       for (double k = 0.0; k < pieces; ++k) {
         // The part of the edge ahead of the piece.
         double begin = 0.0, end = 1.0;
@@ -209,12 +203,12 @@ void ExactSolver::State::start_along(const SourceSegment& segment) {
         keep((k + 1.0) * piece - corner[first][0], (k + 1.0) * piece - corner[second][0]);
         if (!(begin < end)) continue;
         const double middle = (k + 0.5) * piece;
-        const Vector source{from[0] + middle * along[0] - behind * ahead[0],
-                            from[1] + middle * along[1] - behind * ahead[1]};
-        const Vector seen = difference(source, plane.corner[first]);
-        const double source_y = product(seen, inwards);
+        const PlanePoint source{from[0] + middle * along[0] - behind * ahead[0],
+                                from[1] + middle * along[1] - behind * ahead[1]};
+        const PlanePoint seen = minus_in_plane(source, axes.origin);
+        const double source_y = dot_in_plane(seen, axes.inwards);
         if (!(source_y > 0.0)) continue;
-        add_window(edge, {begin * edge_length, end * edge_length, product(seen, unit), source_y,
+        add_window(edge, {begin * edge_length, end * edge_length, dot_in_plane(seen, axes.along), source_y,
                           -behind * (1.0 - behind_rounding), h, segment.source});
       }
     }

@@ -54,22 +54,35 @@ std::uint64_t bits_of(double coordinate) {
   return bits;
 }
 
-}  // namespace
-
-Fingerprint fingerprint_of(const Mesh& mesh) {
+/// Of vertices, which may have no positions, and faces.
+WordHash hash_of(std::size_t vertices, std::span<const Point> positions,
+                 std::span<const std::array<Index, 3>> faces) {
   WordHash hash;
-  hash.add(static_cast<std::uint64_t>(mesh.vertex_count()), static_cast<std::uint64_t>(mesh.face_count()));
-  for (const Index v : checked(mesh.has_positions() ? mesh.vertex_count() : 0)) {
-    const Point& p = mesh.position(v);
+  hash.add(static_cast<std::uint64_t>(vertices), static_cast<std::uint64_t>(faces.size()));
+  for (const std::size_t v : checked(positions.size())) {
+    const Point& p = positions[v];
     hash.add(bits_of(p[0]), bits_of(p[1]));
     hash.add(bits_of(p[2]), 0);
   }
-  for (const Index f : checked(mesh.face_count())) {
-    const auto& face = mesh.face_vertices(f);
+  for (const std::size_t f : checked(faces.size())) {
+    const auto& face = faces[f];
     const auto low = static_cast<std::uint32_t>(face[0]);
     const auto high = static_cast<std::uint32_t>(face[1]);
     hash.add(low | static_cast<std::uint64_t>(high) << 32, static_cast<std::uint32_t>(face[2]));
   }
+  return hash;
+}
+
+}  // namespace
+
+Fingerprint fingerprint_of(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces) {
+  return {hash_of(positions.size(), positions, faces).finished()};
+}
+
+Fingerprint fingerprint_of(const Mesh& mesh) {
+  const auto positions =
+      std::span(mesh.positions()).first(mesh.has_positions() ? mesh.positions().size() : 0);
+  WordHash hash = hash_of(static_cast<std::size_t>(mesh.vertex_count()), positions, mesh.faces());
   // A metric with the lengths in space is a metric, too: distances differ by rounding.
   if (mesh.metric_jumps()) {
     hash.add(static_cast<std::uint64_t>(mesh.points_per_edge()), 0);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <iomanip>
 #include <limits>
 #include <locale>
@@ -29,23 +29,6 @@ std::string number_with(int digits, double value) {
   text.imbue(std::locale::classic());
   text << std::setprecision(digits) << value;
   return text.str();
-}
-
-/// Of positions and faces (Fowler, Noll, Vo 1991), by words.
-std::uint64_t hash_of(const VcgMeshArrays& mesh) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  const auto add = [&hash](std::uint64_t word) { hash = ((hash ^ word) * 0x100000001b3) ^ (hash >> 47); };
-  for (const Point& position : mesh.positions) {
-    for (double coordinate : position) {
-      std::uint64_t bits = 0;
-      std::memcpy(&bits, &coordinate, sizeof(bits));
-      add(bits);
-    }
-  }
-  for (const auto& face : mesh.faces) {
-    for (Index corner : face) add(static_cast<std::uint64_t>(corner));
-  }
-  return hash;
 }
 
 /// As a cell of a CSV file, in quotes where it needs them.
@@ -91,7 +74,7 @@ Measurement* Measurements::own(int number) {
 const Measurement& Measurements::add(Measurement measurement, const VcgMeshArrays& mesh) {
   remember();
   measurement.number = ++last_;
-  measurement.mesh = hash_of(mesh);
+  measurement.mesh = fingerprint_of(mesh.positions, mesh.faces);
   if (measurement.name.empty()) {
     measurement.name = std::string(name_of(measurement.kind)) + ' ' + std::to_string(last_);
   }
@@ -107,7 +90,7 @@ const Measurement* Measurements::replace(int number, Measurement measurement, co
   measurement.number = number;
   measurement.name = old->name;
   measurement.is_hidden = old->is_hidden;
-  measurement.mesh = hash_of(mesh);
+  measurement.mesh = fingerprint_of(mesh.positions, mesh.faces);
   *old = std::move(measurement);
   tell();
   return old;
@@ -159,11 +142,11 @@ void Measurements::undo() {
 
 void Measurements::compare(int layer, const VcgMeshArrays& mesh) {
   if (std::ranges::count(all_, layer, &Measurement::layer) == 0) return;
-  const std::uint64_t hash = hash_of(mesh);
+  const Fingerprint now = fingerprint_of(mesh.positions, mesh.faces);
   bool has_changed = false;
   for (Measurement& measurement : all_) {
     if (measurement.layer != layer) continue;
-    const bool is_of_another_mesh = measurement.mesh != hash;
+    const bool is_of_another_mesh = measurement.mesh != now;
     has_changed = has_changed || is_of_another_mesh != measurement.is_of_another_mesh;
     measurement.is_of_another_mesh = is_of_another_mesh;
   }
@@ -270,8 +253,9 @@ std::string Measurements::text() const {
   text << std::setprecision(all_digits) << first_line << "\nunit "
        << unit_names[static_cast<std::size_t>(unit_)] << "\nlast " << last_ << '\n';
   for (const Measurement& m : all_) {
-    text << "measurement " << m.number << ' ' << name_of(m.kind) << ' ' << m.method << ' ' << m.mesh << ' '
-         << m.is_hidden << "\nname " << m.name << "\nlayer " << on_one_line(m.layer_name) << '\n';
+    text << "measurement " << m.number << ' ' << name_of(m.kind) << ' ' << m.method << ' ' << m.mesh.words[0]
+         << ' ' << m.mesh.words[1] << ' ' << m.is_hidden << "\nname " << m.name << "\nlayer "
+         << on_one_line(m.layer_name) << '\n';
     for (const auto& [what, value] : m.values) {
       text << "value " << quantity_names[static_cast<std::size_t>(what)] << ' ' << value << '\n';
     }
@@ -361,7 +345,7 @@ bool begin_measurement(const std::string& line, Measurement& m) {
   const auto text = std::ranges::find_if(kinds, [&](const KindOfMeasure& one) { return one.name == kind; });
   m.kind = static_cast<MeasureKind>(text - kinds.begin());
   m.method = words.word();
-  m.mesh = words.number<std::uint64_t>();
+  for (std::uint64_t& word : m.mesh.words) word = words.number<std::uint64_t>();
   m.is_hidden = words.number<int>() != 0;
   return words.is_good() && text != kinds.end();
 }

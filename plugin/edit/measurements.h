@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "layers/path_lines.h"
+#include "mesh/fingerprint.h"
 #include "mesh/mesh.h"
 #include "mesh/vcg_adapter.h"
 
@@ -85,7 +86,7 @@ struct Measurement {
   std::vector<Point> points;  ///< on the surface, by which it is measured again
   std::string method;         ///< "exact" or "refined"
   PathLines path;             ///< without points if there is none
-  std::uint64_t mesh = 0;     ///< hash of the mesh on which it was taken
+  Fingerprint mesh{};         ///< of the mesh on which it was taken
   bool is_hidden = false;
   bool is_of_another_mesh = false;  ///< the layer was edited since
 };

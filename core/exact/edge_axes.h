@@ -1,0 +1,40 @@
+// An edge of a face in the plane of that.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "exact/exact_geometry.h"
+
+namespace vorogeo {
+
+using PlanePoint = std::array<double, 2>;
+
+inline PlanePoint minus_in_plane(const PlanePoint& a, const PlanePoint& b) {
+  return {a[0] - b[0], a[1] - b[1]};
+}
+inline double dot_in_plane(const PlanePoint& a, const PlanePoint& b) { return a[0] * b[0] + a[1] * b[1]; }
+inline double cross_in_plane(const PlanePoint& a, const PlanePoint& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+/// Where positions on the edge begin, and the unit vectors along it and into the face.
+struct EdgeAxes {
+  /// \pre The edge has a length.
+  EdgeAxes(const ExactGeometry& geometry, const FacePlane& plane, Index face, Index edge) {
+    const auto& corners = geometry.mesh->face_vertices(face);
+    const auto [a, b] = geometry.ends(edge);
+    const auto first = std::ranges::find(corners, a) - corners.begin();
+    const auto second = std::ranges::find(corners, b) - corners.begin();
+    origin = plane.corner[first];
+    const PlanePoint way = minus_in_plane(plane.corner[second], origin);
+    const double length = std::hypot(way[0], way[1]);
+    along = {way[0] / length, way[1] / length};
+    inwards = {-along[1], along[0]};
+    if (dot_in_plane(inwards, minus_in_plane(plane.corner[3 - first - second], origin)) < 0.0)
+      inwards = {along[1], -along[0]};
+  }
+
+  PlanePoint origin, along, inwards;
+};
+
+}  // namespace vorogeo
