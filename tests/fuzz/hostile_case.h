@@ -75,6 +75,9 @@ std::string exactly(double value);
 
 /// Two exact fields against the reference, closed forms and their own paths. After make_mesh().
 void check_exact(HostileCase& hostile);
+/// The exact fields against those of the same mesh renumbered, moved and subdivided, and against each other.
+/// After check_exact().
+void check_laws(HostileCase& hostile);
 /// Builds an index and checks it against the exact fields.
 void check_index(HostileCase& hostile);
 /// Refined, exact and uncertified paths from the first source to targets, and from a point inside a face to

@@ -27,8 +27,8 @@ constexpr const char* usage =
     "       hostile_fuzz --seed SEED [--vertices N] [--spoilt]\n"
     "  --count     meshes, seeds from --first on (default 1000, first 1)\n"
     "  --hours     as many as fit this time instead\n"
-    "  --of-today  the first seed is ten thousand times the day's number, so that no day repeats another's "
-    "meshes\n"
+    "  --of-today  the first seed is 1,000,000,000 and ten thousand times the day's number, so that no day\n"
+    "              repeats another's meshes; these are also machined, cut, decimated, in single precision\n"
     "  --vertices  size: meshes have half to twice as many (default 60)\n"
     "  --mixed     sizes of 60, some of 200, 600, 2500 and 6000\n"
     "  --jobs      processes (default 1)\n"
@@ -111,6 +111,7 @@ void require_refusals(HostileCase& hostile) {
 Costs examine(HostileCase& hostile, const Options& options, ScanCosts* scans) {
   if (!hostile.make_mesh()) return {};
   check_exact(hostile);
+  if (hostile.seed != scan_seed) check_laws(hostile);
   if (!options.index) return {};
   check_index(hostile);
   if (scans != nullptr && !hostile.exact[1].empty()) check_costs(hostile, *scans);
@@ -266,7 +267,7 @@ bool read_options(int argc, char** argv, Options& options) {
       continue;
     }
     if (name == "--of-today") {
-      options.first = 10000 * static_cast<unsigned>(time(nullptr) / 86400);
+      options.first = first_remeshed_seed + 10000 * static_cast<unsigned>(time(nullptr) / 86400);
       continue;
     }
     if (++i >= argc) return false;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <sstream>
+#include <utility>
 
 #include "support/hostile_parts.h"
 
@@ -141,12 +142,17 @@ HostileMesh hostile_mesh(unsigned seed, int vertices) {
   constexpr std::array bases{grid,  grid,   scan, scan, extrusion, extrusion, plate,
                              plate, folded, pipe, fan,  soup,      crumbs};
   const HostileBase base = bases[random.below(bases.size())];
-  HostileMesh mesh = hostile_base(base, size, random);
+  const bool may_be_remeshed = seed >= first_remeshed_seed;
+  HostileMesh mesh =
+      may_be_remeshed && random.one_in(4) ? machined_part(size, random) : hostile_base(base, size, random);
+  // Before or after other defects.
+  if (may_be_remeshed && random.one_in(2)) mesh = remeshed(std::move(mesh), random);
   // A single defect tells most; four together find what nobody thought of.
   constexpr std::array<int, 10> counts{0, 1, 1, 1, 1, 2, 2, 2, 3, 4};
   for (int i = counts[random.below(counts.size())]; i > 0; --i) {
     add_defect(mesh, static_cast<HostileDefect>(random.between(0, hostile_defect_count - 1)), random);
   }
+  if (may_be_remeshed && random.one_in(2)) mesh = remeshed(std::move(mesh), random);
   return mesh;
 }
 

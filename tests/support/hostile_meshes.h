@@ -93,6 +93,14 @@ HostileMesh hostile_base(HostileBase base, int vertices, HostileRandom& random);
 /// Adds one defect, in about 1 to 5 % of the elements unless its name says otherwise. A mesh that offers no
 /// place for it is left unchanged.
 void add_defect(HostileMesh& mesh, HostileDefect defect, HostileRandom& random);
+/// A toothed wheel or a city of blocks, of about `vertices` vertices.
+HostileMesh machined_part(int vertices, HostileRandom& random);
+/// The mesh as programs leave it: cut by planes that nearly meet a vertex or each other, decimated, or in
+/// single precision.
+HostileMesh remeshed(HostileMesh mesh, HostileRandom& random);
+
+/// Meshes of these seeds and above are also machined parts, and most are remeshed.
+inline constexpr unsigned first_remeshed_seed = 1'000'000'000;
 /// A base with none to four defects, all chosen by the seed. The size is between half and twice `vertices`.
 HostileMesh hostile_mesh(unsigned seed, int vertices);
 
