@@ -165,7 +165,7 @@ class RidgeFinder {
     // What the windows leave free at the ends is reached along the edge.
     std::optional<RidgeWave> last;
     if (at_a < unreachable) last.emplace(0.0, at_a);
-    double last_end = 0.0;
+    double last_end = windows.empty() ? 0.5 * (length + at_b - at_a) : windows.front().begin;
     // Windows of both faces may take turns along a line, with narrow ones between.
     std::vector<std::uint8_t> is_line;
     for (const Window& window : windows) is_line.push_back(runs_along(edge, window) ? 1 : 0);
