@@ -267,7 +267,7 @@ RichParameterList signed_parameters(const MeshDocument& document) {
   return list_of(
       RichMesh(
           "curve_layer", static_cast<unsigned int>(document.mm()->id()), &document, "Curve layer",
-          "The layer with the closed curve, which is moved to the surface. The current layer: the border "
+          "The layer with the closed curves, which are moved to the surface. The current layer: the border "
           "of its selected faces."),
       max_snap_distance_parameter(document));
 }
@@ -289,18 +289,24 @@ Results signed_distances(FilterCall& call) {
   const auto mesh = layer->mesh();
   const bool of_region = curve_is_selected(call);
   std::vector<std::uint8_t> region;
-  TaskPoints curve;
+  std::vector<TaskPoints> curves;
   if (of_region) {
     region = selected_region(call, *layer);
   } else {
-    curve = curve_in_order(call, *layer);
+    curves = curves_in_order(call, *layer);
   }
   const auto ask = [&](Surface& surface, const TaskOptions& options) {
     if (of_region) return signed_distance(surface, region, unreachable, options);
-    const bool ends_apart = curve.points[0] != curve.points[curve.size() - 1];
-    const ExactPath path =
-        path_through(surface, curve.points, ends_apart, {options.by, options.progress.part(0.0, 0.2)});
-    return signed_distance(surface, {path.path.points}, unreachable,
+    std::vector<std::vector<SurfacePoint>> lines;
+    const double share = 0.2 / static_cast<double>(curves.size());
+    for (const TaskPoints& curve : curves) {
+      const bool ends_apart = curve.points[0] != curve.points[curve.size() - 1];
+      const double done = share * static_cast<double>(lines.size());
+      lines.push_back(path_through(surface, curve.points, ends_apart,
+                                   {options.by, options.progress.part(done, done + share)})
+                          .path.points);
+    }
+    return signed_distance(surface, lines, unreachable,
                            {options.by, options.progress.part(0.2, 1.0), options.answered});
   };
   auto [field, answered, results] = ask_task_by(AnswerMethod::exact, call, *layer, "Signed distances", ask);
@@ -325,9 +331,11 @@ Results signed_distances(FilterCall& call) {
     vertex.C() = color_of_distance(field[v], largest, -largest);
   }
   std::ostringstream text;
-  text << "Signed distances from " << (of_region ? "the border of the selected faces" : "the curve")
-       << ": up to " << logged_length(std::abs(inside)) << " inside and " << logged_length(outside)
-       << " outside, in " << std::setprecision(3) << answered.seconds << " s";
+  const std::string from = of_region            ? "the border of the selected faces"
+                           : curves.size() == 1 ? "the curve"
+                                                : std::to_string(curves.size()) + " curves";
+  text << "Signed distances from " << from << ": up to " << logged_length(std::abs(inside)) << " inside and "
+       << logged_length(outside) << " outside, in " << std::setprecision(3) << answered.seconds << " s";
   call.log(text.str());
   if (unreached > 0) {
     call.log("No path leads to " + std::to_string(unreached) +
@@ -336,7 +344,7 @@ Results signed_distances(FilterCall& call) {
   results["min_distance"] = inside;
   results["max_distance"] = outside;
   results["unreachable_vertices"] = unreached;
-  results["snap_distance"] = curve.snap_distance;
+  results["snap_distance"] = curves.empty() ? 0.0 : curves[0].snap_distance;
   results["seconds"] = answered.seconds;
   return results;
 }
@@ -555,24 +563,24 @@ std::vector<FilterRow> distance_rows() {
       field_row(
           "Signed geodesic distance from a curve or a region (VoroGeo)",
           "compute_scalar_by_vorogeo_signed_distance_per_vertex",
-          "<p>Geodesic distance of every vertex from a closed curve, or from the border of the selected "
+          "<p>Geodesic distance of every vertex from closed curves, or from the border of the selected "
           "faces: negative inside, positive outside. It becomes the vertex quality, in the unit of the "
-          "mesh, and a colour: green on the curve, red inside, blue outside. Vertices of components "
-          "without the curve get quality 0 and grey and are counted in the log.</p><p>If <b>Curve "
+          "mesh, and a colour: green on the curves, red inside, blue outside. Vertices of components "
+          "without a curve get quality 0 and grey and are counted in the log.</p><p>If <b>Curve "
           "layer</b> is the current layer, the region is its selected faces. If it is another one, the "
-          "curve is the line of that, such as an isoline or a plane section, whose points are moved to "
+          "curves are the lines of that, such as isolines or a plane section, whose points are moved to "
           "the nearest point of the surface; <i>snap_distance</i> is the farthest move, and one of more "
           "than <b>Max snap distance</b> is an error unless that is 0. Inside a curve is the side "
-          "without a border of the surface, otherwise the smaller one.</p><p>How to choose: the curve is "
-          "one line that does not branch; an open one is closed by the shortest path from its end to its "
-          "beginning, and points of a layer without lines are joined in their order. One that touches "
-          "itself, or has the same side left and right, as round a handle, is an error. Distances are "
-          "exact, from the curve itself. Lines at a distance from it on both sides are those of "
-          "<i>Isolines of a geodesic distance (VoroGeo)</i>: untick <b>Quality is a distance</b> "
-          "there.</p><p>Returns <i>min_distance</i> and <i>max_distance</i>, of the vertices deepest "
-          "inside and farthest outside, and <i>unreachable_vertices</i>.</p><p>See:<br/><i>Joseph S. B. "
-          "Mitchell, David M. Mount, Christos H. Papadimitriou</i><br/><b>\"The discrete geodesic "
-          "problem\"</b><br/>SIAM Journal on Computing 16(4), 1987.</p>",
+          "without a border of the surface, otherwise the smaller one; behind each further curve the sides "
+          "change.</p><p>How to choose: curves do not branch; an open one is closed by the shortest path "
+          "from its end to its beginning, and points of a layer without lines are joined in their order. "
+          "Curves that touch themselves or each other, or have the same side left and right, as round a "
+          "handle, are an error. Distances are exact, from the curves themselves. Lines at a distance from "
+          "them on both sides are those of <i>Isolines of a geodesic distance (VoroGeo)</i>: untick "
+          "<b>Quality is a distance</b> there.</p><p>Returns <i>min_distance</i> and <i>max_distance</i>, of "
+          "the vertices deepest inside and farthest outside, and <i>unreachable_vertices</i>.</p>"
+          "<p>See:<br/><i>Joseph S. B. Mitchell, David M. Mount, Christos H. Papadimitriou</i><br/><b>\"The "
+          "discrete geodesic problem\"</b><br/>SIAM Journal on Computing 16(4), 1987.</p>",
           signed_parameters, signed_distances),
       {"Geodesic directions from a given point (VoroGeo)",
        "compute_scalar_by_vorogeo_directions_from_given_point_per_vertex", help_on_directions(),

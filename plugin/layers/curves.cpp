@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "support/lists.h"
 #include "tasks/curve_sources.h"
@@ -89,38 +91,45 @@ std::vector<std::array<Index, 2>> selected_curve(const FilterCall& call, const L
                         "choose a layer with lines as " + named(call, "curve_layer") + ".");
 }
 
-/// The numbers along the one line that edges make: from end to end, or from one round to it. `name`: of a
-/// number, for errors. \throw InvalidInput if they make no such line.
+/// The numbers along each line that edges make: from end to end, or from one round to it. `name`: of a
+/// number, for errors. \throw InvalidInput if one branches.
 template <class Name>
-std::vector<Index> in_order(std::vector<std::array<Index, 2>> edges, Name&& name) {
+std::vector<std::vector<Index>> in_order(std::vector<std::array<Index, 2>> edges, Name&& name) {
   sort_once(edges);
   std::map<Index, std::vector<Index>> beside;
   for (const auto& [a, b] : edges) {
     beside[a].push_back(b);
     beside[b].push_back(a);
   }
-  auto first = beside.begin();
-  for (auto at = beside.begin(); at != beside.end(); ++at) {
-    if (at->second.size() > 2) {
-      throw InvalidInput("The curve branches: " + name(at->first) + " has " +
-                         std::to_string(at->second.size()) + " of its edges. Leave two of them.");
+  for (const auto& [number, ways] : beside) {
+    if (ways.size() > 2) {
+      throw InvalidInput("The curve branches: " + name(number) + " has " + std::to_string(ways.size()) +
+                         " of its edges. Leave two of them.");
     }
-    if (at->second.size() < first->second.size()) first = at;
   }
-  std::vector<Index> line{first->first};
-  for (Index from = no_index, next = first->second[0]; next != no_index && next != line.front();) {
-    from = line.back();
-    line.push_back(next);
-    const auto& ways = beside[next];
-    next = ways[0] != from ? ways[0] : ways.size() > 1 ? ways[1] : no_index;
+  std::set<Index> passed;
+  std::vector<std::vector<Index>> lines;
+  for (const bool from_end : {true, false}) {
+    for (const auto& [first, others] : beside) {
+      if ((from_end && others.size() > 1) || passed.contains(first)) continue;
+      std::vector<Index> line{first};
+      for (Index from = no_index, next = others[0]; next != no_index && next != first;) {
+        from = line.back();
+        line.push_back(next);
+        const auto& ways = beside.at(next);
+        next = ways[0] != from ? ways[0] : ways.size() > 1 ? ways[1] : no_index;
+      }
+      passed.insert(line.begin(), line.end());
+      if (others.size() > 1) line.push_back(first);
+      lines.push_back(std::move(line));
+    }
   }
-  if (line.size() == beside.size()) {
-    if (first->second.size() > 1) line.push_back(line.front());
-    return line;
-  }
-  for (const Index number : line) beside.erase(number);
-  throw InvalidInput("The curve is in several parts: " + name(line[0]) + " is on one of them, " +
-                     name(beside.begin()->first) + " on another. Leave one.");
+  return lines;
+}
+
+std::string of_curve_layer(const FilterCall& call) {
+  return curve_is_selected(call) ? ""
+                                 : " of layer " + std::to_string(call.parameters.getMeshId("curve_layer"));
 }
 
 }  // namespace
@@ -148,19 +157,21 @@ CurveSources points_along_curve(const FilterCall& call, LayerSurface& layer, dou
   return {sources_along_edges(*mesh, edges, spacing), {}, 0.0};
 }
 
-TaskPoints curve_in_order(const FilterCall& call, LayerSurface& layer) {
-  TaskPoints curve;
+std::vector<TaskPoints> curves_in_order(const FilterCall& call, LayerSurface& layer) {
+  std::vector<TaskPoints> curves;
   if (curve_is_selected(call)) {
-    const auto line = in_order(selected_curve(call, layer, *layer.mesh()),
-                               [&](Index v) { return "vertex " + std::to_string(layer.host_vertex(v)); });
-    curve.points = line;
-    for (const Index v : line) curve.numbers.push_back(layer.host_vertex(v));
-    curve.what = "vertices of selected edges";
-    return curve;
+    const auto name = [&](Index v) { return "vertex " + std::to_string(layer.host_vertex(v)); };
+    for (const auto& line : in_order(selected_curve(call, layer, *layer.mesh()), name)) {
+      TaskPoints& curve = curves.emplace_back();
+      curve.points = line;
+      for (const Index v : line) curve.numbers.push_back(layer.host_vertex(v));
+      curve.what = "vertices of selected edges";
+    }
+    return curves;
   }
   const CMeshO& lines = other_layer(call, "curve_layer", "lines of the curve").cm;
-  if (lines.en == 0) return snapped_layer(call, layer, "curve_layer", "lines");
-  const std::string id = std::to_string(call.parameters.getMeshId("curve_layer"));
+  if (lines.en == 0) return {snapped_layer(call, layer, "curve_layer", "lines")};
+  const std::string of_layer = of_curve_layer(call);
   PointSnapper snapper(call, layer);
   // Ends of edges at one place are one point: a closed path ends at a vertex of its own.
   std::map<Point, Index> point_at;
@@ -179,18 +190,31 @@ TaskPoints curve_in_order(const FilterCall& call, LayerSurface& layer) {
     if (ends[0] != ends[1]) edges.push_back({std::min(ends[0], ends[1]), std::max(ends[0], ends[1])});
   }
   if (edges.empty()) {
-    throw InvalidInput("The lines of layer " + id + " have no length. Choose a layer with a curve.");
+    throw InvalidInput("The lines" + of_layer + " have no length. Choose a layer with a curve.");
   }
-  std::vector<SurfacePoint> points;
-  for (const Index number :
-       in_order(edges, [&](Index v) { return "vertex " + std::to_string(v) + " of layer " + id; })) {
-    points.push_back(snapped.at(number));
-    curve.numbers.push_back(number);
+  for (const auto& line :
+       in_order(edges, [&](Index v) { return "vertex " + std::to_string(v) + of_layer; })) {
+    TaskPoints& curve = curves.emplace_back();
+    std::vector<SurfacePoint> points;
+    for (const Index number : line) {
+      points.push_back(snapped.at(number));
+      curve.numbers.push_back(number);
+    }
+    curve.points = points;
+    curve.what = "points" + of_layer;
+    curve.snap_distance = snapper.farthest();
   }
-  curve.points = points;
-  curve.what = "points of layer " + id;
-  curve.snap_distance = snapper.farthest();
-  return curve;
+  return curves;
+}
+
+TaskPoints curve_in_order(const FilterCall& call, LayerSurface& layer) {
+  auto curves = curves_in_order(call, layer);
+  if (curves.size() == 1) return std::move(curves[0]);
+  const auto first = [&](std::size_t k) {
+    return "vertex " + std::to_string(curves[k].numbers[0]) + of_curve_layer(call);
+  };
+  throw InvalidInput("The curve is in several parts: " + first(0) + " is on one of them, " + first(1) +
+                     " on another. Leave one.");
 }
 
 }  // namespace vorogeo::plugin

@@ -44,9 +44,10 @@ QString help_on_curve();
 /// \throw InvalidInput as selected_edges and sources_of_layer.
 CurveSources points_along_curve(const FilterCall& call, LayerSurface& layer, double spacing);
 
-/// The points of the curve in order: of an open one from end to end, of a closed one from one point round to
-/// it, of a layer without edges in the order of its vertices. \throw InvalidInput also for a curve that
-/// branches or is in several parts.
+/// The points of each curve in order: of an open one from end to end, of a closed one from one point round to
+/// it, of a layer without edges in the order of its vertices. \throw InvalidInput also for one that branches.
+std::vector<TaskPoints> curves_in_order(const FilterCall& call, LayerSurface& layer);
+/// The same of one curve. \throw InvalidInput also where there are several.
 TaskPoints curve_in_order(const FilterCall& call, LayerSurface& layer);
 
 }  // namespace vorogeo::plugin

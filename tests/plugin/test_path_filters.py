@@ -322,6 +322,26 @@ def test_signed_distance_from_a_rectangle(lines):
     assert (deep[:, 0] > deep[:, 2]).all()  # from red to green
 
 
+def test_signed_distance_from_two_rectangles():
+    """Between the outer one and the inner one it is inside."""
+    vertices, faces = grid(20, 15, 0.2)
+    ms = mesh_set(vertices, faces)
+    inner = (RECTANGLE - [2, 1.5, 0]) / 3 + [2, 1.5, 0]
+    steps = np.arange(4)
+    ring = np.column_stack([steps, (steps + 1) % 4])
+    lines = pymeshlab.Mesh(vertex_matrix=np.vstack([RECTANGLE, inner]), edge_matrix=np.vstack([ring, ring[1:] + 4]))
+    ms.add_mesh(lines, set_as_current=False)  # the inner one is open
+    found = ms.apply_filter(SIGNED, curve_layer=1)
+    beyond = np.abs(vertices[:, :2] - [2, 1.5])
+    outer, hole = (
+        np.linalg.norm(np.maximum(off, 0), axis=1) + np.minimum(off.max(axis=1), 0)
+        for off in (beyond - [0.9, 0.8], beyond - [0.3, 0.8 / 3])
+    )
+    expected = np.maximum(outer, -hole)
+    np.testing.assert_allclose(field(ms), expected, atol=1e-6)
+    assert found["min_distance"] == pytest.approx(expected.min(), abs=1e-6)
+
+
 def test_signed_distance_from_a_region():
     vertices, faces = grid(12, 8)
     ms = mesh_set(vertices, faces)
@@ -332,6 +352,16 @@ def test_signed_distance_from_a_region():
     ms.apply_filter("set_selection_all")
     with fails_and_changes_nothing(ms, "The region has no border on the surface: all faces of each component"):
         ms.apply_filter(SIGNED)
+
+
+def test_curves_that_cross_have_no_sides():
+    ms = mesh_set(*grid(20, 15, 0.2))
+    steps = np.arange(4)
+    ring = np.column_stack([steps, (steps + 1) % 4])
+    both = np.vstack([RECTANGLE, RECTANGLE + np.array([0.53, 0.37, 0])])
+    ms.add_mesh(pymeshlab.Mesh(vertex_matrix=both, edge_matrix=np.vstack([ring, ring + 4])), set_as_current=False)
+    with fails_and_changes_nothing(ms, "Curves 0 and 1 cross or touch at "):
+        ms.apply_filter(SIGNED, curve_layer=1)
 
 
 def test_a_curve_that_crosses_itself_has_no_sides():
