@@ -10,6 +10,15 @@ methods of ``pymeshlab.MeshSet``.
 from importlib.metadata import version as _version
 from types import ModuleType as _ModuleType
 
+try:  # what is missing, or made for another system, is said in one sentence
+    import numpy as _numpy  # noqa: F401
+
+    from . import _core as _core
+except ImportError as error:
+    raise ImportError(
+        f"vorogeo cannot be loaded: {error}; 'pip install --force-reinstall vorogeo' brings what fits this system."
+    ) from None
+
 from ._output import matrix_bytes as matrix_bytes
 from .errors import Cancelled as Cancelled
 from .errors import Error as Error

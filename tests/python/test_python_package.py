@@ -1,7 +1,9 @@
 """The package itself: names, version, stubs, error classes, and what the compiled part exposes."""
 
 import inspect
+import shutil
 import subprocess
+import sys
 from importlib.metadata import version
 from pathlib import Path
 
@@ -32,6 +34,24 @@ def test_errors_are_also_builtin_ones():
     assert issubclass(vorogeo.PluginError, RuntimeError)
     for name in ("InvalidInput", "IndexFileError", "Cancelled", "PluginError"):
         assert issubclass(getattr(vorogeo, name), vorogeo.Error)
+
+
+def import_fails(folder, before="pass"):
+    command = [sys.executable, "-c", f"{before}; import vorogeo"]
+    run = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    return run.stderr.splitlines()[-1]
+
+
+def test_what_cannot_be_loaded_is_said_in_one_sentence(tmp_path):
+    what_to_do = "; 'pip install --force-reinstall vorogeo' brings what fits this system."
+    found = import_fails(tmp_path, "import sys; sys.modules['numpy'] = None")
+    assert found.startswith("ImportError: vorogeo cannot be loaded: import of numpy halted")
+    assert found.endswith(what_to_do)
+    shutil.copytree(PACKAGE, tmp_path / "vorogeo", ignore=shutil.ignore_patterns("plugins", "_core*.so"))
+    (tmp_path / "vorogeo" / Path(vorogeo._core.__file__).name).write_bytes(b"made for another system")
+    found = import_fails(tmp_path)
+    assert "ImportError: vorogeo cannot be loaded: " in found
+    assert found.endswith(what_to_do)
 
 
 def binutil(*command):
