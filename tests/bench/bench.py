@@ -1,8 +1,9 @@
 """Runs one of the benchmarks: the command line, and the page of figures that it renews. There is no pass or fail.
 
 A page is a module with `options(parser)`, which adds what only it has, and `run(options)`, which measures, prints on
-the way what it likes, and returns the texts to be put between the marks of docs/figures.md, by mark. MESH is a mesh
-file, or the name of one in the folder of test meshes (VOROGEO_MESHES, by default ../shared/meshes beside the project).
+the way what it likes, and returns the texts to be put between the marks of docs/figures.md and docs/metrics.md, by
+mark. MESH is a mesh file, or the name of one in the folder of test meshes (VOROGEO_MESHES, by default
+../shared/meshes beside the project).
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from pathlib import Path
 
 import meshes
 
-FIGURES = meshes.ROOT / "docs" / "figures.md"
+DOCUMENTS = [meshes.ROOT / "docs" / name for name in ("figures.md", "metrics.md")]
 PAGES = {
     "peers": "times, memory and errors, beside public packages",
     "exact_fields": "exact fields of fresh and of kept surfaces, beside VTP from its authors' sources",
@@ -28,6 +29,7 @@ PAGES = {
     "hot_spots": "the functions that take the time, by perf",
     "gaps": "bridging",
     "face_metrics": "metrics that jump at edges against formulas",
+    "convergence": "metrics on meshes of every kind against themselves on finer ones",
     "trade_off": "both forms of the index, sizes of patches and delta against accuracy",
 }
 
@@ -48,8 +50,9 @@ def main() -> None:
     options = own.parse_args(chosen.options)
     for mark, text in page.run(options).items():
         print(f"\n{text}", flush=True)
-        if options.write and has_marks(FIGURES, mark):
-            replace(FIGURES, mark, text)
+        for file in DOCUMENTS:
+            if options.write and has_marks(file, mark):
+                replace(file, mark, text)
 
 
 def replace(file: Path, mark: str, text: str) -> None:

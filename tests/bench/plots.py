@@ -130,6 +130,25 @@ def choosing(meshes_totals: dict[str, dict[str, Any]]) -> None:
     save(figure, meshes.PICTURES / "choosing.png")
 
 
+def convergence(points: Sequence[int], lines: dict[str, Sequence[float]], file: Path) -> None:
+    """Mean errors against points on the median edge, a line for each mesh, and slopes to compare them with."""
+    figure, axes = plt.subplots(figsize=(6.4, 4.4), layout="constrained")
+    for (name, errors), colour, marker in zip(lines.items(), COLOURS.values(), "os^vDPX", strict=False):
+        axes.loglog(points, errors, color=colour, marker=marker, label=name)
+    first, last = points[0], points[-1]
+    low = min(errors[0] for errors in lines.values())
+    for power in (2, 3):
+        axes.loglog([first, last], [low, low * (first / last) ** power], color="#bbbbbb", linestyle=":", zorder=0)
+        end = last, low * (first / last) ** power
+        axes.annotate(f"power {power}", end, (-8, 8), textcoords="offset points", ha="right", fontsize=8, color="#777")
+    axes.set_xticks(points, map(str, points))
+    axes.set_xticks([], minor=True)
+    axes.set(xlabel="points on the median edge", ylabel="mean relative error (%)")
+    axes.grid(alpha=0.3)
+    axes.legend(fontsize=8, frameon=False)
+    save(figure, file)
+
+
 def trade_off(title: str, rows: Sequence[dict[str, Any]], file: Path) -> None:
     """Mean error of two-point distances against memory, build and query: a line per patch size along delta."""
     figure, panels = plt.subplots(1, 3, figsize=(13, 4.4), sharey=True, layout="constrained")
