@@ -157,11 +157,35 @@ class RidgeFinder {
     return point_on_edge(mesh_, edge, geometry_.is_turned(edge) ? 1.0 - part : part);
   }
 
+  /// The windows of an edge, each without the part where a path along the edge from one of its ends, at these
+  /// distances, is shorter.
+  std::vector<Window> shortest_windows(Index edge, double at_a, double at_b) const {
+    const double length = mesh_.edge_length(edge);
+    std::vector<Window> shortest;
+    for (Window window : state_.envelope.windows(edge)) {
+      const auto overtaken_from = [&](double distance, double source_x) {
+        return vertex_takeover(distance, window.offset, source_x, window.source_y);
+      };
+      const double rounding = equal_waves * (window.distance(window.begin) + length);
+      if (window.distance(window.begin) > at_a + window.begin + rounding) {
+        if (window.distance(window.end) >= at_a + window.end) continue;
+        window.begin = std::clamp(overtaken_from(at_a, window.source_x), window.begin, window.end);
+      }
+      if (window.distance(window.end) > at_b + length - window.end + rounding) {
+        if (window.distance(window.begin) >= at_b + length - window.begin) continue;
+        const double x = length - overtaken_from(at_b, length - window.source_x);
+        window.end = std::clamp(x, window.begin, window.end);
+      }
+      shortest.push_back(window);
+    }
+    return shortest;
+  }
+
   void look_along(Index edge) {
     const double length = mesh_.edge_length(edge);
     const auto [a, b] = geometry_.ends(edge);
     const double at_a = state_.vertices[a].distance, at_b = state_.vertices[b].distance;
-    const auto windows = state_.envelope.windows(edge);
+    const std::vector<Window> windows = shortest_windows(edge, at_a, at_b);
     // What the windows leave free at the ends is reached along the edge.
     std::optional<RidgeWave> last;
     if (at_a < unreachable) last.emplace(0.0, at_a);

@@ -200,6 +200,14 @@ TEST(CutLocus, OfTwoPointsInAPlaneIsTheLineBetween) {
   EXPECT_LE(std::ranges::max(near.distance), 0.7);
 }
 
+TEST(CutLocus, CrossesEdgesThatLeadStraightToASource) {
+  const auto soup = test::plane_grid(9, 8, 1.8, 1.6).soup;
+  Surface surface(test::make_mesh(soup));
+  const Ridge ridge = ridge_from(surface, std::vector<Index>{42, 47});  // 2 and 7 steps from the left side
+  EXPECT_EQ(component_count(ridge), 1);
+  EXPECT_NEAR(length_of_lines(soup, ridge), 1.6, 1e-9);
+}
+
 TEST(CutLocus, RefusesByName) {
   Surface surface(test::make_mesh(test::plane_grid(10, 8, 2.0, 1.6).soup));
   EXPECT_NE(test::refusal([&] { ridge_from(surface, {}); }).find("no source"), std::string::npos);
