@@ -83,6 +83,7 @@ using vorogeo::texture_coordinates;
 using vorogeo::tighten;
 using vorogeo::to_string;
 using vorogeo::transport;
+using vorogeo::transport_from;
 }  // namespace inner
 
 #include "vorogeo.h"

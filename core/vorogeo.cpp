@@ -687,9 +687,11 @@ LogMap log_map(const Surface& surface, const SurfacePoint& from, const LogMapOpt
     std::optional<inner::PointList> targets;
     if (!options.targets.empty()) targets = at.in(options.targets);
     auto found = inner::log_map(at.surface, at.in(from), targets, options.limit, at.options);
-    if (targets) return LogMap{std::move(found.vector), std::move(found.distance)};
+    const int unreached = at.answered.unreached;
+    if (targets) return LogMap{std::move(found.vector), std::move(found.distance), unreached};
     const InputMap map(at.mesh);
-    return LogMap{map.of_vertices(std::move(found.vector)), map.of_vertices(std::move(found.distance))};
+    return LogMap{map.of_vertices(std::move(found.vector)), map.of_vertices(std::move(found.distance)),
+                  unreached};
   });
 }
 
@@ -707,6 +709,14 @@ std::vector<Tangent> transport(const Surface& surface, const PointList& path,
                                const std::vector<Tangent>& vectors) {
   return ask(surface, TaskOptions{},
              [&](const Asked& at) { return inner::transport(at.surface, at.in(path), vectors); });
+}
+
+std::vector<Tangent> transport_from(const Surface& surface, const SurfacePoint& from, const Tangent& vector,
+                                    const TransportOptions& options) {
+  return ask(surface, TaskOptions{Answer::exact, options.progress}, [&](const Asked& at) {
+    return InputMap(at.mesh).of_vertices(
+        inner::transport_from(at.surface, at.in(from), vector, options.limit, at.options));
+  });
 }
 
 std::vector<TracedEnd> exp_map(const Surface& surface, const PointList& from,

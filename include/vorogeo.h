@@ -639,6 +639,7 @@ struct LogMapOptions {
 struct LogMap {
   std::vector<Tangent> vector;   ///< NaN where no path leads
   std::vector<double> distance;  ///< the lengths of these vectors
+  int unreached = 0;             ///< vertices or targets to which no path leads, whatever the limit
 };
 /// Exact shortest paths from a point, as vectors in its frame: each has the direction in which the path
 /// begins, and its length. \throw InvalidInput as tangent_frames(), and where the metric jumps at edges.
@@ -658,6 +659,15 @@ VOROGEO_API std::vector<Tangent> gradient(const Surface& surface, const PointLis
 /// point. \throw InvalidInput for consecutive points without a common face, or a point without a frame.
 VOROGEO_API std::vector<Tangent> transport(const Surface& surface, const PointList& path,
                                            const std::vector<Tangent>& vectors);
+
+struct TransportOptions {
+  double limit = unreachable;  ///< beyond it there are no vectors
+  ProgressFunction progress = {};
+};
+/// A vector in the frame of a point, carried in parallel along the shortest paths to all vertices, exactly:
+/// in their frames. NaN where no path leads, and where there is no frame. \throw InvalidInput as log_map().
+VOROGEO_API std::vector<Tangent> transport_from(const Surface& surface, const SurfacePoint& from,
+                                                const Tangent& vector, const TransportOptions& options = {});
 
 struct ExpMapOptions {
   bool slide = false;  ///< at a border, go on along it; otherwise a line ends there

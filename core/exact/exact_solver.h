@@ -139,8 +139,9 @@ class ExactSolver {
   /// O(windows). \throw std::logic_error after a run with distances_only.
   Ridge ridge() const;
   /// The shortest path from `target` back to its nearest source, target first. Empty if unreachable.
-  /// \throw std::logic_error after a run with distances_only.
-  SurfacePath path_to_source(const SurfacePoint& target) const;
+  /// `only_leg`: only as far as the first vertex that it passes. \throw std::logic_error after a run with
+  /// distances_only.
+  SurfacePath path_to_source(const SurfacePoint& target, bool only_leg = false) const;
 
   /// Distances up to this one are final (all of them after a run that no targets ended).
   double settled_distance() const;

@@ -63,6 +63,9 @@ class LocalSolver {
   double first_leg(Index vertex) const { return windows_->first_leg(vertex); }
   double first_leg(const SurfacePoint& point) const { return windows_->first_leg(point); }
   double last_leg(const TangentFrame& frame) const { return windows_->last_leg(frame); }
+  SurfacePath last_leg_of(Index vertex) const {
+    return windows_->path_to_source(SurfacePoint::at_vertex(vertex), true);
+  }
   /// \pre The metric jumps nowhere.
   Ridge ridge() const { return windows_->ridge(); }
   SurfacePath path_to_source(const SurfacePoint& target) const {

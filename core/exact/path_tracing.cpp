@@ -200,9 +200,11 @@ constexpr Slack slacks[] = {
 /// of no area many paths are equally long, and some are dead ends.
 class Tracer {
  public:
-  Tracer(const ExactSolver::State& state, const SurfacePoint& target, double distance, const Slack& slack)
+  Tracer(const ExactSolver::State& state, const SurfacePoint& target, double distance, const Slack& slack,
+         bool only_leg)
       : state_(state),
         mesh_(state.mesh),
+        only_leg_(only_leg),
         distance_(distance),
         bound_(distance * (1.0 + slack.relative) + slack.mean_edges * state.mesh.mean_edge_length()) {
     stops_.push_back({target, no_index, 0.0});
@@ -214,7 +216,7 @@ class Tracer {
     // A round passes a vertex or a place on an edge, or goes back by one stop. Few edges are crossed twice;
     // one that rounding shifts each time would be crossed without end.
     const std::size_t most_rounds = 2 * (static_cast<std::size_t>(mesh_.vertex_count()) + mesh_.edge_count());
-    for (std::size_t round = 1; !arrived_ && !is_source(stops_.back().point); ++round) {
+    for (std::size_t round = 1; !has_arrived(); ++round) {
       if (round % 256 == 0) checkpoint();
       if (!go_on()) stops_.pop_back();
       if (stops_.empty() || round > most_rounds) return {};
@@ -233,6 +235,10 @@ class Tracer {
     double walked;  ///< from the target
   };
 
+  bool has_arrived() const {
+    const SurfacePoint& here = stops_.back().point;
+    return arrived_ || is_source(here) || (only_leg_ && here.is_vertex() && stops_.size() > 1);
+  }
   bool is_source(const SurfacePoint& point) const {
     if (!point.is_vertex()) return false;
     const VertexState& vertex = state_.vertices[point.vertex];
@@ -350,6 +356,7 @@ class Tracer {
 
   const ExactSolver::State& state_;
   const Mesh& mesh_;
+  bool only_leg_;
   double distance_;
   double bound_;
   std::vector<Stop> stops_;
@@ -359,13 +366,13 @@ class Tracer {
 
 }  // namespace
 
-SurfacePath ExactSolver::path_to_source(const SurfacePoint& target) const {
+SurfacePath ExactSolver::path_to_source(const SurfacePoint& target, bool only_leg) const {
   const SurfacePoint start = validated(state_->mesh, target);
   state_->require_windows();
   const double total = distance(start);
   if (total == unreachable) return {};
   for (const Slack& slack : slacks) {
-    SurfacePath path = Tracer(*state_, start, total, slack).trace();
+    SurfacePath path = Tracer(*state_, start, total, slack, only_leg).trace();
     if (!path.points.empty()) return path;
   }
   return {};

@@ -276,6 +276,37 @@ std::vector<Tangent> Query::gradient(std::span<const ExactSource> sources,
   return found;
 }
 
+void Query::last_legs(const SurfacePoint& from, double max_distance, const Progress& progress,
+                      const std::function<void(Index, const PointList&)>& visit) {
+  const Mesh& mesh = *surface_.mesh();
+  const LocalSolver& solver =
+      solved(std::array{ExactSource{from}}, max_distance, 1, false, progress.part(0.0, 0.7));
+  std::vector<std::uint8_t> is_visited(mesh.vertex_count(), 0);
+  if (from.is_vertex()) is_visited[mesh.representative(from.vertex)] = 1;
+  std::vector<Index> order;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    const bool is_one = mesh.representative(v) == v && is_visited[v] == 0;
+    if (is_one && solver.distance(v) < unreachable) order.push_back(v);
+  }
+  std::ranges::sort(order, {}, [&](Index v) { return solver.distance(v); });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i % 1024 == 0) {
+      const double part = static_cast<double>(i) / static_cast<double>(order.size());
+      progress.report(0.7 + 0.3 * part, "Tracing paths");
+    }
+    std::vector<SurfacePoint> leg = solver.last_leg_of(order[i]).points;
+    if (leg.empty()) continue;
+    // Among vertices equally far, in one place, the path may come from one that follows.
+    const SurfacePoint& first = leg.back();
+    if (first.is_vertex() && is_visited[mesh.representative(first.vertex)] == 0)
+      leg = solver.path_to_source(SurfacePoint::at_vertex(order[i])).points;
+    std::ranges::reverse(leg);
+    for (SurfacePoint& point : leg) point = canonical(mesh, point);
+    visit(order[i], leg);
+    is_visited[order[i]] = 1;
+  }
+}
+
 Ridge Query::ridge(std::span<const ExactSource> sources, double max_distance, const Progress& progress) {
   return solved(sources, max_distance, 1, false, progress).ridge();
 }

@@ -86,6 +86,11 @@ class Query {
   /// Of distances from the nearest of some sources, at all vertices or at some points: see vorogeo::gradient.
   std::vector<Tangent> gradient(std::span<const ExactSource> sources, const std::optional<PointList>& points,
                                 double max_distance, const Progress& progress);
+  /// Visits the vertices that a point reaches, nearer ones first, with what the shortest path has passed
+  /// since it left the point or a vertex that was visited before: this first, the vertex last. Exact. \pre
+  /// The metric does not jump around the point.
+  void last_legs(const SurfacePoint& from, double max_distance, const Progress& progress,
+                 const std::function<void(Index, const PointList&)>& visit);
   /// Of the distance from the nearest of some sources. Exact. \pre The metric jumps nowhere.
   Ridge ridge(std::span<const ExactSource> sources, double max_distance, const Progress& progress);
   /// Exact paths from one point to many: one propagation serves them all.

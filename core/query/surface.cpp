@@ -279,19 +279,17 @@ AnswerMethod Surface::choose(AnswerMethod method, double fields, double reach, A
 
 // ---- Fields
 
-namespace {
-
-/// Given vertices of components without a source.
-Index count_unreached(const Mesh& mesh, std::span<const ExactSource> sources) {
+Index count_unreached(const Mesh& mesh, std::span<const ExactSource> sources,
+                      const std::optional<PointList>& points) {
   std::vector<std::uint8_t> has_source(static_cast<std::size_t>(mesh.component_count()), 0);
   for (const auto& [point, offset] : sources) has_source[component_of(mesh, point)] = 1;
+  const auto is_apart = [&](const SurfacePoint& point) { return has_source[component_of(mesh, point)] == 0; };
+  if (points) return static_cast<Index>(std::ranges::count_if(*points, is_apart));
   if (std::ranges::find(has_source, 0) == has_source.end()) return 0;
   Index count = 0;
   for (Index v = 0; v < mesh.given_vertex_count(); ++v) count += has_source[mesh.component(v)] == 0;
   return count;
 }
-
-}  // namespace
 
 LabelledField Surface::field(std::span<const ExactSource> sources, double max_distance, AnswerMethod method,
                              Answered& answered, const Progress& progress) {

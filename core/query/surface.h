@@ -34,8 +34,13 @@ struct Answered {
   /// Of the distances of a field, relative, in the mean: 0 but for rounding where nothing jumps; NaN if it is
   /// not by the method exact.
   double expected_error = std::numeric_limits<double>::quiet_NaN();
-  Index unreached = 0;  ///< of a field: vertices to which no path leads, near or far
+  /// Of a field, and of directions: vertices or targets to which no path leads, near or far.
+  Index unreached = 0;
 };
+
+/// How many of some points, or of all vertices that were given, lie in components without a source.
+Index count_unreached(const Mesh& mesh, std::span<const ExactSource> sources,
+                      const std::optional<PointList>& points = {});
 
 /// A distance field and the source that each vertex is nearest to.
 struct LabelledField {

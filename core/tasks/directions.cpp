@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -42,6 +43,49 @@ std::vector<TangentFrame> frames_at(Surface& surface, const PointList& points) {
     frames.emplace_back(geometry_around(surface, point), point);
   }
   return frames;
+}
+
+/// How vectors turn on the way along a path: one of angle a at its first point has the angle sign a + turned
+/// at its last one.
+struct Turning {
+  double sign = 1.0, turned = 0.0;
+
+  Tangent of(const Tangent& vector) const {
+    const double angle = sign * std::atan2(vector[1], vector[0]) + turned;
+    const double length = std::hypot(vector[0], vector[1]);
+    return {length * std::cos(angle), length * std::sin(angle)};
+  }
+};
+
+/// \throw InvalidInput for a point without a frame, and two consecutive ones without a common face.
+Turning turning_along(const ExactGeometry& geometry, const PointList& points) {
+  const Mesh& mesh = *geometry.mesh;
+  TangentFrame here(geometry, points[0]);
+  Turning turning;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    TangentFrame next(geometry, points[i]);
+    if (is_same_point(mesh, points[i - 1], points[i]) && points[i].face == points[i - 1].face) {
+      here = std::move(next);  // a step of rounding has no direction
+      continue;
+    }
+    const Index face = common_face(mesh, points[i - 1], points[i]);
+    if (face == no_index) refuse_step(mesh, points, i);
+    std::array<double, 3> from{}, to{};
+    weights_in_face(mesh, points[i - 1], face, from);
+    weights_in_face(mesh, points[i], face, to);
+    const double ahead = here.scaled(here.angle_in_face(face, to));
+    const double back = next.scaled(next.angle_in_face(face, from));
+    const double same = here.orientation(face) * next.orientation(face);
+    turning = {turning.sign * same, back + std::numbers::pi + same * (turning.turned - ahead)};
+    here = std::move(next);
+  }
+  return turning;
+}
+
+void report_from(const TaskOptions& options, const Stopwatch& watch, const Mesh& mesh,
+                 const std::vector<ExactSource>& sources, const std::optional<PointList>& points) {
+  report_exact(options, watch);
+  if (options.answered != nullptr) options.answered->unreached = count_unreached(mesh, sources, points);
 }
 
 void require_finite(const std::vector<Tangent>& vectors) {
@@ -87,7 +131,7 @@ LogMap log_map(Surface& surface, const SurfacePoint& point, const std::optional<
   LogMap found = surface.lend([&](Query& query) {
     return query.log_map(frame, ends, max_distance, surface.threads(), options.progress);
   });
-  report_exact(options, watch);
+  report_from(options, watch, *surface.mesh(), {ExactSource{frame.point()}}, ends);
   return found;
 }
 
@@ -108,7 +152,7 @@ std::vector<Tangent> gradient(Surface& surface, const PointList& sources,
   const Stopwatch watch;
   auto found =
       surface.lend([&](Query& query) { return query.gradient(from, at, max_distance, options.progress); });
-  report_exact(options, watch);
+  report_from(options, watch, *surface.mesh(), from, at);
   return found;
 }
 
@@ -119,32 +163,37 @@ std::vector<Tangent> transport(Surface& surface, const PointList& path, const st
     throw InvalidInput("The path has no point; give one that path() or path_through() found.");
   require_finite(vectors);
   geometry_around(surface, points[points.size() - 1]);
-  TangentFrame here(geometry_around(surface, points[0]), points[0]);
-  // A vector of angle a at the first point has the angle sign a + turned here.
-  double sign = 1.0, turned = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    TangentFrame next(here.geometry(), points[i]);
-    if (is_same_point(mesh, points[i - 1], points[i]) && points[i].face == points[i - 1].face) {
-      here = std::move(next);  // a step of rounding has no direction
-      continue;
-    }
-    const Index face = common_face(mesh, points[i - 1], points[i]);
-    if (face == no_index) refuse_step(mesh, points, i);
-    std::array<double, 3> from{}, to{};
-    weights_in_face(mesh, points[i - 1], face, from);
-    weights_in_face(mesh, points[i], face, to);
-    const double ahead = here.scaled(here.angle_in_face(face, to));
-    const double back = next.scaled(next.angle_in_face(face, from));
-    const double same = here.orientation(face) * next.orientation(face);
-    turned = back + std::numbers::pi + same * (turned - ahead);
-    sign *= same;
-    here = std::move(next);
-  }
+  const Turning turning = turning_along(geometry_around(surface, points[0]), points);
   std::vector<Tangent> carried;
-  for (const auto& [x, y] : vectors) {
-    const double angle = sign * std::atan2(y, x) + turned, length = std::hypot(x, y);
-    carried.push_back({length * std::cos(angle), length * std::sin(angle)});
-  }
+  for (const Tangent& vector : vectors) carried.push_back(turning.of(vector));
+  return carried;
+}
+
+std::vector<Tangent> transport_from(Surface& surface, const SurfacePoint& point, const Tangent& vector,
+                                    double max_distance, const TaskOptions& options) {
+  require_limit(max_distance);
+  require_exact(options, "Directions are");
+  require_finite({vector});
+  const Mesh& mesh = *surface.mesh();
+  const TangentFrame frame = frames_at(surface, std::vector{point}).front();
+  const Stopwatch watch;
+  auto carried = surface.lend([&](Query& query) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    std::vector<Tangent> found(mesh.vertex_count(), {none, none});
+    if (frame.point().is_vertex()) found[mesh.representative(frame.point().vertex)] = vector;
+    const auto carry = [&](Index v, const PointList& leg) {
+      const Tangent& first = leg[0].is_vertex() ? found[mesh.representative(leg[0].vertex)] : vector;
+      try {
+        found[v] = turning_along(frame.geometry(), leg).of(first);
+      } catch (const InvalidInput&) {
+        // A place without a frame.
+      }
+    };
+    query.last_legs(frame.point(), max_distance, options.progress, carry);
+    return found;
+  });
+  for (Index v = 0; v < mesh.vertex_count(); ++v) carried[v] = carried[mesh.representative(v)];
+  report_from(options, watch, mesh, {ExactSource{frame.point()}}, {});
   return carried;
 }
 

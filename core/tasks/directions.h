@@ -42,6 +42,14 @@ std::vector<Tangent> gradient(Surface& surface, const PointList& sources,
 /// them). Complexity: O(points).
 std::vector<Tangent> transport(Surface& surface, const PointList& path, const std::vector<Tangent>& vectors);
 
+/// A vector at a point, carried along the shortest paths to all vertices, in the frames there. NaN where no
+/// path leads, beyond max_distance, at vertices without a frame and where the path crosses a place without
+/// one. Always exact; where several paths are shortest, along one of them. \throw as log_map(), and for a
+/// vector that is not finite. Complexity: an exact field that keeps its windows, and O(faces that the paths
+/// cross between the vertices where they turn).
+std::vector<Tangent> transport_from(Surface& surface, const SurfacePoint& point, const Tangent& vector,
+                                    double max_distance, const TaskOptions& options);
+
 /// The ends of straightest lines from points along vectors in the frames there, on all threads: of pairs, or
 /// of one point and each of the vectors. \throw as log_map(), for vectors that are not finite and for
 /// lists of different lengths; Cancelled. Complexity: O(faces crossed).

@@ -323,6 +323,13 @@ auto carried(const TaskOptions&, const HeldSurface& held, const PointArrays& pat
   return std::tuple(transport(*held.surface, held.points(path), rows_of<2>(vectors)));
 }
 
+auto carried_to_vertices(const TaskOptions& options, const HeldSurface& held, const PointArrays& point,
+                         const TangentArray& vector, double max_distance) {
+  auto found =
+      transport_from(*held.surface, held.points(point)[0], rows_of<2>(vector)[0], max_distance, options);
+  return std::tuple(InputMap(held.mesh()).of_vertices(std::move(found)));
+}
+
 /// Points and lengths of lines.
 auto line_ends(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
                const TangentArray& vectors, bool slides) {
@@ -471,6 +478,7 @@ void bind_tasks(nb::class_<HeldSurface>& surface) {
   bind_question(surface, "exp_map", &line_ends);
   bind_question(surface, "gradient", &gradients);
   bind_question(surface, "transport", &carried);
+  bind_question(surface, "transport_from", &carried_to_vertices);
   bind_question(surface, "points_along", &along);
   bind_question(surface, "bezier", &bezier_curve);
   bind_question(surface, "b_spline", &b_spline_curve);

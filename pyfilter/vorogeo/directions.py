@@ -131,10 +131,47 @@ class Directions(Tasks):
 
         Notes
         -----
-        O(points). To many points, take the paths of `path(p, points)`.
+        O(points). To all vertices, `transport_from`; to other points, take the paths of `path(p, points)`.
         """
         rows, along = self._curve_rows(path), check.positions("vectors", vectors, 2)
         (carried,) = self._ask(self._shared.core.transport, rows, along, method="exact")
+        found: NDArray[np.float64] = carried
+        return found
+
+    def transport_from(
+        self,
+        point: Points,
+        vector: ArrayLike,
+        max_distance: float | None = None,
+        progress: ProgressFunction | bool | None = None,
+    ) -> NDArray[np.float64]:
+        """A vector at a point, carried in parallel along the shortest paths to all vertices (`transport`).
+
+        Parameters
+        ----------
+        point : a vertex id, or SurfacePoints with one point
+        vector : array_like, shape (2,)
+            In the frame of the point (`tangent_frames`).
+        max_distance : float, optional
+            Beyond it there are no vectors; None for no limit.
+
+        Returns
+        -------
+        ndarray, shape (n, 2)
+            In the frames of the vertices. NaN where no path leads, and where there is no frame. Where several paths are
+            shortest, along one of them. Always exact, with an index as well.
+
+        Notes
+        -----
+        An exact field that keeps its windows, and a trace to each vertex from where the path to it turns last.
+        """
+        source, limit = self._one_row("point", point), check.max_distance(max_distance)
+        along = check.positions("vector", vector, 2)
+        if len(along) != 1:
+            raise InvalidInput(f"vector: has {len(along)} vectors; give one.")
+        (carried,) = self._ask(
+            self._shared.core.transport_from, source, along, limit, method="exact", progress=progress
+        )
         found: NDArray[np.float64] = carried
         return found
 

@@ -251,7 +251,9 @@ class Answered(NamedTuple):
         "Of the distances of an exact field, relative, in the mean: 0 but for rounding, or what is estimated where "
         "values of faces jump. NaN for other answers.",
     ] = math.nan
-    unreached: Annotated[int, "Of a field: vertices to which no path leads, whatever the limit."] = 0
+    unreached: Annotated[
+        int, "Of a field, and of directions: vertices or targets to which no path leads, whatever the limit."
+    ] = 0
 
 
 @documented

@@ -161,8 +161,10 @@ TEST(Library, DirectionsAreThoseOnThePaper) {
   EXPECT_EQ(there, gradient[sheet.vertex(13, 7)]);
   const auto path = surface.path(from, sheet.vertex(13, 7));
   const auto carried = vorogeo::transport(surface, path.surface_points, {{2.0, 3.0}}).front();
+  const auto everywhere = vorogeo::transport_from(surface, from, {2.0, 3.0});
   EXPECT_NEAR(carried[0], 2.0, 1e-9);
   EXPECT_NEAR(carried[1], 3.0, 1e-9);
+  EXPECT_NEAR(everywhere[sheet.vertex(13, 7)][0], 2.0, 1e-9);
   const auto few = vorogeo::log_map(surface, from, {.targets = {0, {0, {0.5, 0.5, 0.0}}}, .limit = 0.5});
   EXPECT_TRUE(std::isnan(few.vector[0][0]));
   EXPECT_EQ(few.distance[1], unreachable);

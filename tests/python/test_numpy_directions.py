@@ -111,7 +111,13 @@ def test_pairs_of_points_and_vectors():
 def test_of_other_components_and_beyond_the_limit_nothing_is_known():
     one = plane_grid(5, 5)
     vertices, faces = side_by_side(one, one)
-    vector, distance = vorogeo.Surface(vertices, faces).log_map(12, max_distance=0.4, return_distance=True)
+    surface = vorogeo.Surface(vertices, faces)
+    vector, distance = surface.log_map(12, max_distance=0.4, return_distance=True)
+    assert surface.last.unreached == len(one[0])
+    surface.log_map(12, targets=[0, 30, 40])
+    assert surface.last.unreached == 2
+    surface.gradient([12, 40])
+    assert surface.last.unreached == 0
     known = np.linalg.norm(vertices - vertices[12], axis=1) <= 0.4
     assert np.isnan(vector[~known]).all()
     assert np.isinf(distance[~known]).all()
@@ -184,6 +190,49 @@ def test_round_a_corner_of_a_cube_a_vector_turns_by_the_angle_that_is_missing_th
     (carried,) = surface.transport(surface.path_through(ring, closed=True), [3, 4])
     np.testing.assert_allclose(np.abs(np.dot(carried, [3, 4])), 0, atol=1e-9)
     np.testing.assert_allclose(np.linalg.norm(carried), 5, atol=1e-9)
+
+
+def test_round_an_octant_of_a_sphere_a_vector_turns_by_its_area():
+    """By symmetry, whatever its faces: an eighth of the curvature of the whole."""
+    side = 6
+    places = [(i, j, side - i - j) for i in range(side + 1) for j in range(side + 1 - i)]
+    up, down = [(1, 0), (0, 1), (0, 0)], [(1, 0), (0, 1), (1, 1)]
+    faces, number = [], {}
+    for signs in np.array(np.meshgrid([1, -1], [1, -1], [1, -1])).reshape(3, 8).T:
+        for i, j, k in places:
+            for steps in [up, down][: min(k, 2)]:
+                at = [tuple((signs * (i + a, j + b, k - a - b)).tolist()) for a, b in steps]
+                faces.append([number.setdefault(place, len(number)) for place in at])
+    vertices = np.array(list(number), dtype=float)
+    vertices /= np.linalg.norm(vertices, axis=1, keepdims=True)
+    surface = vorogeo.Surface(vertices, some_flipped(np.array(faces, dtype=np.int32)))
+    steps = range(side)
+    ring = [(side - i, i, 0) for i in steps] + [(0, side - i, i) for i in steps] + [(i, 0, side - i) for i in steps]
+    (carried,) = surface.transport([number[place] for place in [*ring, ring[0]]], [3, 4])
+    np.testing.assert_allclose(np.abs(carried @ [3, 4]), 0, atol=1e-9)
+    np.testing.assert_allclose(np.linalg.norm(carried), 5, atol=1e-9)
+
+
+@pytest.mark.parametrize("name", ["bunny10k_textured.obj", "fandisk", "casting"])
+def test_carried_to_all_vertices_a_vector_is_that_carried_along_each_path(name):
+    vertices, faces = real_mesh(name)
+    surface = vorogeo.Surface(vertices, some_flipped(faces))
+    for point in (17, vorogeo.SurfacePoints([40], [[0.3, 0.5, 0.2]]), vorogeo.SurfacePoints([40], [[0.3, 0.7, 0.0]])):
+        carried = surface.transport_from(point, [3, 4])
+        assert surface.last.by == "exact"
+        reached = np.flatnonzero(np.isfinite(carried[:, 0]))
+        np.testing.assert_allclose(np.linalg.norm(carried[reached], axis=1), 5, rtol=1e-9)
+        chosen = np.random.default_rng(3).choice(reached, 100)
+        along = [surface.transport(path, [3, 4])[0] for path in surface.path(point, chosen, method="exact")]
+        same = np.abs(carried[chosen] - along).max(axis=1) < 1e-6
+        assert same.mean() > 0.95  # others have several shortest paths
+    np.testing.assert_allclose(surface.transport_from(17, [3, 4])[17], [3, 4])
+    far = surface.distance_field(17, method="exact") > 0.1 * np.ptp(vertices)
+    near = surface.transport_from(17, [3, 4], max_distance=0.1 * np.ptp(vertices))
+    assert np.isnan(near[far]).all()
+    assert np.isfinite(near[~far]).any()
+    with pytest.raises(vorogeo.InvalidInput, match="vector: has 2 vectors"):
+        surface.transport_from(17, [[1, 0], [0, 1]])
 
 
 @pytest.mark.parametrize("name", ["bunny10k_textured.obj", "spot", "fandisk"])
