@@ -32,13 +32,11 @@ ends, walked = surface.exp_map(
     point, lengths[:, None] * np.column_stack([np.cos(turns), np.sin(turns)]), return_length=True
 )
 print(f"{surface.last.seconds:.3f} s for {len(ends)} lines; {np.sum(walked < 0.999 * lengths)} ended at a border")
-joints = np.flatnonzero(np.arange(len(ends)) % 60 < 59)
-lines = vorogeo.Polylines(ends.positions(vertices, faces), np.column_stack([joints, joints + 1]))
 picture.draw(
     "samples/out/directions.png",
     vertices,
     faces,
     colors=255 * np.array(wheel),
-    lines=lines,
+    lines=picture.joined(*ends.positions(vertices, faces).reshape(24, 60, 3)),
     points=point.positions(vertices, faces),
 )

@@ -1,4 +1,4 @@
-"""Clusters of all vertices, the mean of some points, and a smooth closed curve; writes a picture.
+"""The mean, the median and the medoid of some points, and the paths from the mean to them; writes a picture.
 
 Usage: python samples/means.py [MESH]      (needs samples/setup.sh once; writes samples/out/means.png)
 """
@@ -12,33 +12,30 @@ mesh_set = mesh_input.load_from_command_line()
 mesh = mesh_set.current_mesh()
 vertices, faces = mesh.vertex_matrix(), mesh.face_matrix()
 surface = vorogeo.Surface(vertices, faces)
+size = np.ptp(vertices, axis=0)
+middle = surface.snap(vertices.mean(axis=0) + size * [0.1, -0.05, 1])
 
-clusters = surface.k_means(40)
-print(
-    f"{surface.last.seconds:.1f} s for 40 clusters in {len(clusters.energy) - 1} rounds; "
-    f"the energy fell to {clusters.energy[-1] / clusters.energy[0]:.2f} of what it was"
+# Points all around the middle, some far away on one side.
+random = np.random.default_rng(5)
+turn, radius = (
+    random.uniform(0, 2 * np.pi, 12),
+    size.max() * np.append(random.uniform(0.03, 0.15, 8), [0.3, 0.35, 0.4, 0.45]),
 )
+turn[8:] = random.uniform(2.0, 2.6, 4)
+points = surface.exp_map(middle, radius[:, None] * np.column_stack([np.cos(turn), np.sin(turn)]))
 
-# Points in a star on the side that is seen, joined by a spline; their mean, and its paths to them.
-middle, size = vertices.mean(axis=0), np.ptp(vertices, axis=0)
-turn = 2 * np.pi * np.arange(10) / 10
-star = np.where(np.arange(10) % 2, 0.14, 0.26)[:, None] * np.column_stack([np.cos(turn), np.sin(turn)])
-points = surface.snap(middle + size * np.column_stack([star + np.array([0.08, -0.07]), np.ones(10)]))
-curve = surface.spline(points, closed=True, samples=24)
-print(f"{surface.last.seconds:.1f} s for a spline of length {curve.length:g}")
 mean = surface.frechet_mean(points)
-print(f"{surface.last.seconds:.1f} s for a mean. {surface.last.remark}")
-
-lines, joints, begin = [], [], 0
-for path in [curve, *surface.path(mean, points)]:
-    lines.append(path.points)
-    joints.append(begin + np.column_stack([np.arange(len(path.points) - 1), np.arange(1, len(path.points))]))
-    begin += len(path.points)
+print(f"{surface.last.seconds:.2f} s for the mean. {surface.last.remark}")
+median = surface.geometric_median(points)
+print(f"{surface.last.seconds:.2f} s for the median. {surface.last.remark}")
+best = surface.medoid(points)
+for name, centre in [("mean", mean), ("median", median), ("medoid", points[best])]:
+    distance = surface.distance(points, centre)
+    print(f"{name}: sum of distances {distance.sum():.5g}, of their squares {(distance**2).sum():.5g}")
 picture.draw(
     "samples/out/means.png",
     vertices,
     faces,
-    regions=clusters.labels[faces].max(axis=1),
-    lines=vorogeo.Polylines(np.vstack(lines), np.vstack(joints)),
-    points=np.vstack([points.positions(vertices, faces), mean.positions(vertices, faces)]),
+    lines=picture.joined(*(path.points for path in surface.path(mean, points))),
+    points=np.vstack([place.positions(vertices, faces) for place in (points, mean, median)]),
 )

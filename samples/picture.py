@@ -11,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -54,6 +55,13 @@ def draw(
         if subprocess.run(command, env=environment, capture_output=True, check=False).returncode != 0:
             draw_plain(file, arrays)
     print(f"written: {file}")
+
+
+def joined(*lines: ArrayLike) -> SimpleNamespace:
+    """Lines, each as its points in order, as the polylines that `draw` takes."""
+    ends = np.cumsum([len(line) for line in lines])
+    steps = np.setdiff1d(np.arange(ends[-1]), ends - 1)
+    return SimpleNamespace(points=np.vstack(lines), edges=np.column_stack([steps, steps + 1]))
 
 
 def region_colors(faces: NDArray[np.int32], regions: NDArray[np.int32]) -> NDArray[np.uint8]:

@@ -1,0 +1,25 @@
+"""Distances from a closed curve by side, and offsets of it; writes a picture.
+
+Usage: python samples/signed_distance.py [MESH]  (after samples/setup.sh; writes samples/out/signed_distance.png)
+"""
+
+import mesh_input
+import numpy as np
+import picture
+import vorogeo
+
+mesh_set = mesh_input.load_from_command_line()
+mesh = mesh_set.current_mesh()
+vertices, faces = mesh.vertex_matrix(), mesh.face_matrix()
+surface = vorogeo.Surface(vertices, faces)
+size = np.ptp(vertices, axis=0).max()
+middle = surface.snap(vertices.mean(axis=0) + np.ptp(vertices, axis=0) * [0.1, 0, 1])
+turn, radius = 2 * np.pi * np.arange(10) / 10, size * np.where(np.arange(10) % 2, 0.12, 0.3)
+star = surface.exp_map(middle, radius[:, None] * np.column_stack([np.cos(turn), np.sin(turn)]))
+
+curve = surface.spline(star, closed=True)
+field = surface.signed_distance(curve)
+print(f"{surface.last.seconds:.2f} s for distances from a curve of length {curve.length:.4g}")
+print(f"{np.sum(field < 0)} vertices inside, the deepest at {field.min():.3g}")
+offsets = surface.isolines(field, 0.025 * size * np.arange(-3, 8), "linear")
+picture.draw("samples/out/signed_distance.png", vertices, faces, values=np.abs(field), lines=offsets)
