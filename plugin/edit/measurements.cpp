@@ -2,6 +2,7 @@
 #include "edit/measurements.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -51,12 +52,33 @@ std::size_t position_in(const std::array<const char*, Count>& names, const std::
   return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
 }
 
+/// Of a mesh and, where quality is the cost, of the lengths that it gives the sides.
+Fingerprint fingerprint_in(const RulerMetric& metric, const VcgMeshArrays& mesh) {
+  Fingerprint found = fingerprint_of(mesh.positions, mesh.faces);
+  if (metric.is_of_quality()) {
+    const Fingerprint sides = fingerprint_of(mesh.metric.sides, {});
+    for (std::size_t i = 0; i < found.words.size(); ++i) found.words[i] ^= sides.words[i];
+  }
+  return found;
+}
+
 }  // namespace
 
 std::string unit_of(Quantity quantity, LengthUnit unit) {
   if (quantity == Quantity::ratio) return {};
   if (quantity == Quantity::angle) return "°";
   return std::string(unit_names[static_cast<std::size_t>(unit)]) + (quantity == Quantity::area ? "²" : "");
+}
+
+std::string name_of(const RulerMetric& metric) {
+  std::string text;
+  if (metric.metric != LayerMetric::length) {
+    text = metric_names[static_cast<std::size_t>(metric.metric)];
+    text[0] = static_cast<char>(std::tolower(text[0]));
+  }
+  if (metric.has_weight()) text += ' ' + number_with(digits_shown, metric.weight);
+  if (metric.gap > 0.0) text += (text.empty() ? "gap " : ", gap ") + number_with(digits_shown, metric.gap);
+  return text;
 }
 
 // ---- Changes
@@ -74,7 +96,7 @@ Measurement* Measurements::own(int number) {
 const Measurement& Measurements::add(Measurement measurement, const VcgMeshArrays& mesh) {
   remember();
   measurement.number = ++last_;
-  measurement.mesh = fingerprint_of(mesh.positions, mesh.faces);
+  measurement.mesh = fingerprint_in(measurement.metric, mesh);
   if (measurement.name.empty()) {
     measurement.name = std::string(name_of(measurement.kind)) + ' ' + std::to_string(last_);
   }
@@ -86,11 +108,11 @@ const Measurement& Measurements::add(Measurement measurement, const VcgMeshArray
 const Measurement* Measurements::replace(int number, Measurement measurement, const VcgMeshArrays& mesh) {
   Measurement* const old = own(number);
   if (old == nullptr) return nullptr;
-  remember();
+  if (!old->lacks_lines()) remember();
   measurement.number = number;
   measurement.name = old->name;
   measurement.is_hidden = old->is_hidden;
-  measurement.mesh = fingerprint_of(mesh.positions, mesh.faces);
+  measurement.mesh = fingerprint_in(measurement.metric, mesh);
   *old = std::move(measurement);
   tell();
   return old;
@@ -140,13 +162,23 @@ void Measurements::undo() {
   tell();
 }
 
-void Measurements::compare(int layer, const VcgMeshArrays& mesh) {
-  if (std::ranges::count(all_, layer, &Measurement::layer) == 0) return;
-  const Fingerprint now = fingerprint_of(mesh.positions, mesh.faces);
+void Measurements::compare(int layer, const MeshIn& mesh_in) {
+  std::vector<std::pair<RulerMetric, std::optional<Fingerprint>>> known;
+  const auto now_in = [&](const RulerMetric& wanted) {
+    // Only quality makes one mesh another one.
+    const RulerMetric metric = wanted.is_of_quality() ? wanted : RulerMetric{};
+    for (const auto& [other, fingerprint] : known) {
+      if (other == metric) return fingerprint;
+    }
+    const VcgMeshArrays* const mesh = mesh_in(metric);
+    known.emplace_back(metric, std::nullopt);
+    if (mesh != nullptr) known.back().second = fingerprint_in(metric, *mesh);
+    return known.back().second;
+  };
   bool has_changed = false;
   for (Measurement& measurement : all_) {
     if (measurement.layer != layer) continue;
-    const bool is_of_another_mesh = measurement.mesh != now;
+    const bool is_of_another_mesh = now_in(measurement.metric) != measurement.mesh;
     has_changed = has_changed || is_of_another_mesh != measurement.is_of_another_mesh;
     measurement.is_of_another_mesh = is_of_another_mesh;
   }
@@ -181,7 +213,12 @@ std::string Measurements::label(const Measurement& m) const {
   const auto& [what, value] = m.values.front();
   const std::string unit = unit_of(what, unit_);
   const bool has_unit = std::isfinite(value) && (what == Quantity::angle || unit_ != LengthUnit::model);
-  return four_digits(value) + (!has_unit ? "" : what == Quantity::angle ? unit : ' ' + unit);
+  const std::string metric = name_of(m.metric);
+  return four_digits(value) +
+         (!has_unit                 ? ""
+          : what == Quantity::angle ? unit
+                                    : ' ' + unit) +
+         (metric.empty() ? "" : ", " + metric);
 }
 
 std::vector<std::string> Measurements::row(const Measurement& m) const {
@@ -191,7 +228,10 @@ std::vector<std::string> Measurements::row(const Measurement& m) const {
     details += std::string(i > 1 ? ", " : "") + quantity_names[static_cast<std::size_t>(m.values[i].what)] +
                ' ' + four_digits(m.values[i].value);
   }
-  details += (details.empty() ? "" : "; ") + m.method + (m.is_of_another_mesh ? ", before an edit" : "");
+  for (const std::string& more : {name_of(m.metric), m.method}) {
+    if (!more.empty()) details += (details.empty() ? "" : "; ") + more;
+  }
+  if (m.is_of_another_mesh) details += ", before an edit";
   const bool has_value = !m.values.empty();
   return {std::to_string(m.number),
           m.name,
@@ -213,13 +253,15 @@ std::string Measurements::table() const {
 }
 
 std::string Measurements::csv() const {
-  std::string text = "number,name,kind,layer,unit,method,edited_since";
+  std::string text = "number,name,kind,layer,unit,metric,weight,gap,method,edited_since";
   for (const char* name : quantity_names) text += std::string(",") + name;
-  text += ",points\n";
+  text += ",points,mesh\n";
   for (const Measurement& m : all_) {
     text += std::to_string(m.number) + ',' + cell(m.name) + ',' + name_of(m.kind) + ',' + cell(m.layer_name) +
-            ',' + unit_names[static_cast<std::size_t>(unit_)] + ',' + m.method + ',' +
-            (m.is_of_another_mesh ? '1' : '0');
+            ',' + unit_names[static_cast<std::size_t>(unit_)] + ',' +
+            metric_names[static_cast<std::size_t>(m.metric.metric)] + ',' +
+            number_with(all_digits, m.metric.weight) + ',' + number_with(all_digits, m.metric.gap) + ',' +
+            m.method + ',' + (m.is_of_another_mesh ? '1' : '0');
     for (std::size_t quantity = 0; quantity < quantity_names.size(); ++quantity) {
       text += ',';
       for (const Value& v : m.values) {
@@ -232,7 +274,7 @@ std::string Measurements::csv() const {
       text += (i == 0 ? "" : ";") + number_with(all_digits, x) + ' ' + number_with(all_digits, y) + ' ' +
               number_with(all_digits, z);
     }
-    text += '\n';
+    text += ',' + std::to_string(m.mesh.words[0]) + ' ' + std::to_string(m.mesh.words[1]) + '\n';
   }
   return text;
 }
@@ -256,6 +298,10 @@ std::string Measurements::text() const {
     text << "measurement " << m.number << ' ' << name_of(m.kind) << ' ' << m.method << ' ' << m.mesh.words[0]
          << ' ' << m.mesh.words[1] << ' ' << m.is_hidden << "\nname " << m.name << "\nlayer "
          << on_one_line(m.layer_name) << '\n';
+    if (m.metric != RulerMetric{}) {
+      text << "metric " << m.metric.weight << ' ' << m.metric.gap << ' '
+           << metric_names[static_cast<std::size_t>(m.metric.metric)] << '\n';
+    }
     for (const auto& [what, value] : m.values) {
       text << "value " << quantity_names[static_cast<std::size_t>(what)] << ' ' << value << '\n';
     }
@@ -301,6 +347,8 @@ class Words {
     return left;
   }
   bool is_good() const { return is_good_; }
+  /// Whether that was all.
+  bool is_at_end() { return is_good_ && (stream_ >> std::ws).eof(); }
 
  private:
   std::istringstream stream_;
@@ -315,6 +363,12 @@ bool read_line(const std::string& line, Measurement& m) {
     m.name = words.rest();
   } else if (what == "layer") {
     m.layer_name = words.rest();
+  } else if (what == "metric") {
+    m.metric.weight = words.number<double>();
+    m.metric.gap = words.number<double>();
+    const std::size_t metric = position_in(metric_names, words.rest());
+    m.metric.metric = static_cast<LayerMetric>(metric);
+    return words.is_good() && metric < metric_names.size();
   } else if (what == "value") {
     const std::size_t quantity = position_in(quantity_names, words.word());
     m.values.push_back({static_cast<Quantity>(quantity), words.number<double>()});
@@ -336,21 +390,135 @@ bool read_line(const std::string& line, Measurement& m) {
   return words.is_good();
 }
 
+bool set_kind(Measurement& m, const std::string& name) {
+  const auto kind = std::ranges::find_if(kinds, [&](const KindOfMeasure& one) { return one.name == name; });
+  m.kind = static_cast<MeasureKind>(kind - kinds.begin());
+  return kind != kinds.end();
+}
+
 /// \return whether the line begins a measurement.
 bool begin_measurement(const std::string& line, Measurement& m) {
   Words words(line);
   if (words.word() != "measurement") return false;
   m.number = words.number<int>();
-  const std::string kind = words.word();
-  const auto text = std::ranges::find_if(kinds, [&](const KindOfMeasure& one) { return one.name == kind; });
-  m.kind = static_cast<MeasureKind>(text - kinds.begin());
+  const bool is_kind = set_kind(m, words.word());
   m.method = words.word();
   for (std::uint64_t& word : m.mesh.words) word = words.number<std::uint64_t>();
   m.is_hidden = words.number<int>() != 0;
-  return words.is_good() && text != kinds.end();
+  return words.is_good() && is_kind;
+}
+
+/// The cells of a CSV file, line by line. Two quotes within quotes are one that is meant.
+std::vector<std::vector<std::string>> cells_of(const std::string& text) {
+  std::vector<std::vector<std::string>> lines;
+  lines.emplace_back(1);
+  bool is_quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char letter = text[i];
+    const bool is_twice = is_quoted && text.compare(i, 2, "\"\"") == 0;
+    if (is_twice) ++i;
+    if (letter == '"' && !is_twice) {
+      is_quoted = !is_quoted;
+    } else if (!is_quoted && letter == ',') {
+      lines.back().emplace_back();
+    } else if (!is_quoted && letter == '\n') {
+      lines.emplace_back(1);
+    } else if (is_quoted || letter != '\r') {
+      lines.back().back() += letter;
+    }
+  }
+  if (lines.back() == std::vector<std::string>(1)) lines.pop_back();
+  return lines;
+}
+
+/// A cell of a measurement, in the column of this name. Columns that say nothing about it are read over.
+/// \return whether it is a good one.
+bool read_cell(const std::string& column, const std::string& text, Measurement& m) {
+  Words words(text);
+  if (column == "name") {
+    m.name = on_one_line(text);
+  } else if (column == "layer") {
+    m.layer_name = text;
+  } else if (column == "kind") {
+    return set_kind(m, text);
+  } else if (column == "method") {
+    m.method = words.word();
+    return words.is_at_end();
+  } else if (column == "edited_since") {
+    m.is_of_another_mesh = words.number<int>() != 0;
+    return words.is_at_end();
+  } else if (column == "metric") {
+    const std::size_t metric = position_in(metric_names, text);
+    m.metric.metric = static_cast<LayerMetric>(metric);
+    return metric < metric_names.size();
+  } else if (column == "weight" || column == "gap") {
+    (column == "gap" ? m.metric.gap : m.metric.weight) = words.number<double>();
+    return words.is_at_end();
+  } else if (column == "mesh") {
+    for (std::uint64_t& word : m.mesh.words) word = words.number<std::uint64_t>();
+    return words.is_at_end();
+  } else if (column == "points") {
+    std::istringstream points(text);
+    for (std::string point; std::getline(points, point, ';');) {
+      Words coordinates(point);
+      m.points.push_back(coordinates.point());
+      if (!coordinates.is_at_end()) return false;
+    }
+  } else if (const std::size_t quantity = position_in(quantity_names, column);
+             quantity < quantity_names.size() && !text.empty()) {
+    m.values.push_back({static_cast<Quantity>(quantity), words.number<double>()});
+    return words.is_at_end();
+  }
+  return true;
 }
 
 }  // namespace
+
+void Measurements::add_csv(const std::string& text, const std::function<int(const std::string&)>& layer_of) {
+  const auto lines = cells_of(text);
+  if (lines.empty() || std::ranges::count(lines[0], "kind") != 1 ||
+      std::ranges::count(lines[0], "points") != 1) {
+    throw InvalidInput(
+        "The file has no columns kind and points in its first line: choose one that the ruler has saved.");
+  }
+  std::vector<Measurement> found;
+  std::size_t unit = static_cast<std::size_t>(unit_);
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const std::string place = "Line " + std::to_string(i + 1) + " of the measurements ";
+    if (lines[i].size() != lines[0].size()) {
+      throw InvalidInput(place + "has " + std::to_string(lines[i].size()) + " cells, but the first one " +
+                         std::to_string(lines[0].size()) +
+                         ": save the file again with commas between cells.");
+    }
+    Measurement& m = found.emplace_back();
+    for (std::size_t j = 0; j < lines[i].size(); ++j) {
+      const std::string& content = lines[i][j];
+      const bool is_unit = lines[0][j] == "unit";
+      const std::size_t named = is_unit ? position_in(unit_names, content) : unit;
+      if (named == unit_names.size() || !read_cell(lines[0][j], content, m)) {
+        throw InvalidInput(place + "cannot be read: '" + content + "' in the column " + lines[0][j] + ".");
+      }
+      if (named != unit && (i > 1 || !all_.empty())) {
+        throw InvalidInput(place + "counts in " + content + ", but those before it in " + unit_names[unit] +
+                           ". Values are not converted: choose one unit for all of them.");
+      }
+      unit = named;
+    }
+    if (m.points.size() < least_points(m.kind) || m.values.empty()) {
+      throw InvalidInput(place + "has too few points, or no value.");
+    }
+    m.layer = layer_of(m.layer_name);
+  }
+  if (found.empty()) return;
+  remember();
+  unit_ = static_cast<LengthUnit>(unit);
+  for (Measurement& m : found) {
+    m.number = ++last_;
+    if (m.name.empty()) m.name = std::string(name_of(m.kind)) + ' ' + std::to_string(last_);
+    all_.push_back(std::move(m));
+  }
+  tell();
+}
 
 void Measurements::read(const std::string& text, const std::function<int(const std::string&)>& layer_of) {
   std::istringstream lines(text);

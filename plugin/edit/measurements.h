@@ -3,13 +3,17 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "layers/layer_surface.h"
 #include "layers/path_lines.h"
 #include "mesh/fingerprint.h"
 #include "mesh/mesh.h"
@@ -74,6 +78,21 @@ inline constexpr std::array<const char*, 5> unit_names{"model", "mm", "cm", "m",
 /// Such as "mm" or its square; empty for a ratio.
 std::string unit_of(Quantity quantity, LengthUnit unit);
 
+/// What paths cost and which gaps they cross, as parameters of the filters have it.
+struct RulerMetric {
+  LayerMetric metric = LayerMetric::length;
+  double weight = 0.0;  ///< slope_penalty or curvature_weight; 0 in other metrics
+  double gap = 0.0;
+
+  bool has_weight() const { return metric == LayerMetric::slope || metric == LayerMetric::curvature; }
+  bool is_of_quality() const {
+    return metric == LayerMetric::vertex_quality || metric == LayerMetric::face_quality;
+  }
+  friend bool operator==(const RulerMetric&, const RulerMetric&) = default;
+};
+/// Such as "slope penalty 1, gap 0.5"; empty for lengths on the mesh as it is.
+std::string name_of(const RulerMetric& metric);
+
 // ---- Measurements
 
 struct Measurement {
@@ -84,11 +103,17 @@ struct Measurement {
   std::string layer_name;
   std::vector<Value> values;  ///< the first is what was asked for: `unreachable` without a path
   std::vector<Point> points;  ///< on the surface, by which it is measured again
-  std::string method;         ///< "exact" or "refined"
+  std::string method;         ///< "exact"; "refined" in files of earlier versions
   PathLines path;             ///< without points if there is none
-  Fingerprint mesh{};         ///< of the mesh on which it was taken
+  RulerMetric metric{};
+  Fingerprint mesh{};  ///< of the mesh on which it was taken
   bool is_hidden = false;
   bool is_of_another_mesh = false;  ///< the layer was edited since
+
+  /// It was imported, and not measured since.
+  bool lacks_lines() const {
+    return path.lines.points.empty() && !values.empty() && std::isfinite(values.front().value);
+  }
 };
 
 /// The measurements of a document, which all its views show, and their text. What is shown has four digits;
@@ -105,7 +130,8 @@ class Measurements {
 
   /// Gives it the next number, and a name from it if it has none. `mesh`: on which it was taken.
   const Measurement& add(Measurement measurement, const VcgMeshArrays& mesh);
-  /// The same measured again: number, name and whether it is hidden stay. \return null if it is gone.
+  /// The same measured again: number, name and whether it is hidden stay. That one which was imported gets
+  /// its lines is no change to be undone. \return null if it is gone.
   const Measurement* replace(int number, Measurement measurement, const VcgMeshArrays& mesh);
   void remove(const std::vector<int>& numbers);
   void rename(int number, const std::string& name);
@@ -113,8 +139,10 @@ class Measurements {
   void set_unit(LengthUnit unit);
   /// Takes the last of these changes back, but for the unit.
   void undo();
-  /// The mesh of a layer as it is now: measurements of another one are kept, but say so.
-  void compare(int layer, const VcgMeshArrays& mesh);
+  /// The mesh of a layer as it is now, in any metric, null where it has none: measurements of another one are
+  /// kept, but say so.
+  using MeshIn = std::function<const VcgMeshArrays*(const RulerMetric&)>;
+  void compare(int layer, const MeshIn& mesh_in);
   /// `changed` is called now and after every change, until unwatch(who).
   void watch(const void* who, std::function<void()> changed);
   void unwatch(const void* who) { watchers_.erase(who); }
@@ -128,6 +156,10 @@ class Measurements {
   std::string table() const;
   /// With commas and all digits: a column for each quantity, and the points.
   std::string csv() const;
+  /// Adds what csv() wrote, without lines. `layer_of`: see read(). \throw InvalidInput for anything else,
+  /// also for another unit than that of measurements that are there (names the line); nothing is changed
+  /// then.
+  void add_csv(const std::string& text, const std::function<int(const std::string&)>& layer_of);
   /// All paths of a layer.
   PathLines lines_on(int layer) const;
 

@@ -8,6 +8,9 @@
 #include <QKeyEvent>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <array>
+#include <cmath>
+#include <string>
 #include <utility>
 
 namespace vorogeo::plugin {
@@ -26,18 +29,42 @@ RulerDock::RulerDock(QWidget* parent, Actions actions)
   auto* body = new QWidget(this);
   auto* rows = new QVBoxLayout(body);
   auto* choices = new QHBoxLayout;
-  const auto add_choice = [&](const char* tip) {
+  auto* costs = new QHBoxLayout;
+  const auto add_choice = [&](QHBoxLayout* row, const char* tip, const auto& names) {
     auto* box = new QComboBox(body);
     box->setToolTip(tip);
+    for (const char* name : names) box->addItem(name);
     box->view();  // made now, so that eventFilter() gets the keys of its list
-    choices->addWidget(box);
+    row->addWidget(box);
     return box;
   };
-  auto* kind_box = add_choice("What is measured next.");
-  for (const KindOfMeasure& kind : kinds) kind_box->addItem(kind.name);
-  unit_ = add_choice("What the coordinates count in; values are not converted.");
-  for (const char* unit : unit_names) unit_->addItem(unit);
+  const auto add_number = [&](const char* name, const char* tip) {
+    auto* field = new QLineEdit(body);
+    field->setPlaceholderText(name);
+    field->setAccessibleName(name);
+    field->setToolTip(tip);
+    costs->addWidget(field);
+    connect(field, &QLineEdit::editingFinished, this, &RulerDock::change_metric);
+    return field;
+  };
+  std::vector<const char*> kind_names;
+  for (const KindOfMeasure& kind : kinds) kind_names.push_back(kind.name);
+  auto* kind_box = add_choice(choices, "What is measured next.", kind_names);
+  unit_ = add_choice(choices, "What the coordinates count in; values are not converted.", unit_names);
+  snap_ =
+      add_choice(choices,
+                 "Where points come to lie: where the mouse is, at the nearest corner or side of the face "
+                 "there, or on the border. The keys do the same while the mouse drags.",
+                 snap_names);
+  metric_ = add_choice(costs,
+                       "What paths cost, as in the filters: their length, the quality as a cost, more on "
+                       "slopes, or more across ridges and limbs.",
+                       metric_names);
+  weight_ = add_number("weight", "Of the slope penalty, or along curvature; see the filters.");
+  gap_ = add_number("gap", "Borders at most this far apart are bridged; crossing a gap costs its width.");
+  weight_->setEnabled(false);
   rows->addLayout(choices);
+  rows->addLayout(costs);
   hint_ = new QLabel(QString(kinds.front().hint) + help, body);
   hint_->setWordWrap(true);
   rows->addWidget(hint_);
@@ -48,6 +75,13 @@ RulerDock::RulerDock(QWidget* parent, Actions actions)
   });
   connect(unit_, chosen_one, this,
           [this](int number) { actions_.choose_unit(static_cast<LengthUnit>(number)); });
+  connect(snap_, chosen_one, this, [this](int number) { actions_.choose_snap(static_cast<SnapTo>(number)); });
+  connect(metric_, chosen_one, this, [this](int number) {
+    const double weight = usual_weights[static_cast<std::size_t>(number)];
+    weight_->setEnabled(weight > 0.0);
+    weight_->setText(weight > 0.0 ? QString::number(weight) : QString());
+    change_metric();
+  });
   status_ = new QLabel(body);
   status_->setWordWrap(true);
   rows->addWidget(status_);
@@ -70,7 +104,7 @@ RulerDock::RulerDock(QWidget* parent, Actions actions)
     auto* button = new QPushButton(text, body);
     button->setToolTip(tip);
     connect(button, &QPushButton::clicked, this, pressed);
-    (buttons->count() < 3 ? buttons : more_buttons)->addWidget(button);
+    (buttons->count() < 4 ? buttons : more_buttons)->addWidget(button);
     return button;
   };
   prepare_ = add_button(
@@ -82,6 +116,9 @@ RulerDock::RulerDock(QWidget* parent, Actions actions)
   save_ = add_button("Save...",
                      "Adds a layer with all paths on the current layer, and writes the table to a CSV file.",
                      [this] { actions_.save(); });
+  add_button("Open...",
+             "Adds the measurements of such a CSV file; those on the current layer get their lines.",
+             [this] { actions_.open(); });
   add_button("Delete", "Removes the selected measurements, or the last one (Delete).",
              [this] { actions_.remove(chosen()); });
   add_button("Undo", "Takes the last change of the table back (Ctrl+Z).", [this] { actions_.undo(); });
@@ -91,7 +128,9 @@ RulerDock::RulerDock(QWidget* parent, Actions actions)
   rows->addLayout(more_buttons);
   setWidget(body);
 
-  for (QWidget* child : body->findChildren<QWidget*>()) child->installEventFilter(this);
+  for (QWidget* child : body->findChildren<QWidget*>()) {
+    if (qobject_cast<QLineEdit*>(child) == nullptr) child->installEventFilter(this);
+  }
 }
 
 /// The main window has shortcuts for some of these keys, which win unless the widget with the focus claims
@@ -138,6 +177,18 @@ void RulerDock::show_measurements(const Measurements& measurements) {
   table_->scrollToBottom();
   save_->setEnabled(!all.empty());
   unit_->setCurrentIndex(static_cast<int>(measurements.unit()));
+}
+
+/// What is no number is one that the metric refuses in a sentence.
+void RulerDock::change_metric() {
+  const auto number_in = [](const QLineEdit* field) {
+    bool is_number = true;
+    const double number = field->text().isEmpty() ? 0.0 : field->text().toDouble(&is_number);
+    return is_number ? number : std::nan("");
+  };
+  RulerMetric metric{static_cast<LayerMetric>(metric_->currentIndex()), 0.0, number_in(gap_)};
+  if (metric.has_weight()) metric.weight = number_in(weight_);
+  actions_.choose_metric(metric);
 }
 
 /// The name or the tick of a row, by the user.

@@ -9,6 +9,8 @@
 #include <sstream>
 
 #include "exact/tangent_frame.h"
+#include "mesh/mesh_input.h"
+#include "mesh/vectors.h"
 #include "query/rent_or_buy.h"
 #include "support/error.h"
 #include "tasks/bands.h"
@@ -55,11 +57,12 @@ void DragLog::computed(double seconds) {
   slowest_ = std::max(slowest_, seconds);
 }
 
-void DragLog::shown(Time now) {
+void DragLog::shown(Time now, bool is_straight) {
   if (shown_ == 0) first_ = now;
   if (shown_ > 0) longest_ = std::max(longest_, std::chrono::duration<double>(now - last_).count());
   last_ = now;
   ++shown_;
+  if (is_straight) ++straight_;
 }
 
 std::string DragLog::sentence(const std::string& what, const std::string& method) const {
@@ -67,8 +70,10 @@ std::string DragLog::sentence(const std::string& what, const std::string& method
   if (shown_ < 2 || computed_ == 0 || seconds <= 0.0) return {};
   std::ostringstream text;
   text.imbue(std::locale::classic());
-  text << "Ruler: " << shown_ << ' ' << what << " shown in " << std::setprecision(3) << seconds << " s, "
-       << (shown_ - 1) / seconds << " a second, " << 1e3 * longest_ << " ms at most between two";
+  text << "Ruler: " << shown_ << ' ' << what;
+  if (straight_ > 0) text << " (" << straight_ << " as straight lines first)";
+  text << " shown in " << std::setprecision(3) << seconds << " s, " << (shown_ - 1) / seconds << " a second, "
+       << 1e3 * longest_ << " ms at most between two";
   if (asked_)
     text << ", the first after " << 1e3 * std::chrono::duration<double>(first_ - *asked_).count() << " ms";
   text << "; " << method << ", " << computed_ << " computed in " << 1e3 * sum_ / computed_
@@ -117,17 +122,71 @@ std::vector<double> round_values(double largest) {
 bool RulerSurface::snap(const Picked& picked, SurfacePoint& point) {
   const SnappedPoint found = layer_->locator()->nearest(picked.at);
   point = found.point;
-  return found.distance <= picked.tolerance;
+  if (found.distance > picked.tolerance) return false;
+  if (picked.to != SnapTo::free) point = snapped(picked.to, point);
+  return true;
 }
 
-SurfacePath RulerSurface::find_path(const SurfacePoint& source, const SurfacePoint& target,
+SurfacePoint RulerSurface::snapped(SnapTo to, const SurfacePoint& point) {
+  const Mesh& mesh = *layer_->mesh();
+  const Point at = position_of(mesh, point);
+  if (to == SnapTo::border) return on_border(at);
+  // Corners and sides are those of the layer's face, which a metric may measure in parts.
+  const InputMap input(mesh);
+  InputPoint place = input.point_out(point);
+  const auto& corners = arrays().faces[static_cast<std::size_t>(place.face)];
+  double least = unreachable;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const std::size_t j = (i + 1) % corners.size();
+    const Point& a = arrays().positions[static_cast<std::size_t>(corners[i])];
+    const Point& b = arrays().positions[static_cast<std::size_t>(corners[j])];
+    const double part = to == SnapTo::vertex ? 0.0 : along_segment(at, a, b);
+    const double away = distance_between(at, moved(a, part, minus(b, a)));
+    if (away >= least) continue;
+    least = away;
+    place.weights = {};
+    place.weights[i] = 1.0 - part;
+    place.weights[j] = part;
+  }
+  place.vertex = no_index;
+  return validated(mesh, input.point_in(place));
+}
+
+SurfacePoint RulerSurface::on_border(const Point& at) {
+  const Mesh& mesh = *layer_->mesh();
+  if (!border_) {
+    border_.emplace();
+    for (Index e = 0; e < mesh.edge_count(); ++e) {
+      const bool is_over_gap = mesh.is_bridge(Mesh::face_of(mesh.edge_halfedge(e)));
+      if (mesh.is_border_edge(e) && !is_over_gap) border_->push_back(e);
+    }
+  }
+  if (border_->empty()) {
+    throw InvalidInput("This surface has no border that points could lie on. Press F for points anywhere.");
+  }
+  SurfacePoint nearest;
+  double least = unreachable;
+  for (const Index e : *border_) {
+    const Point& a = mesh.position(mesh.edge_vertices(e)[0]);
+    const Point& b = mesh.position(mesh.edge_vertices(e)[1]);
+    const double part = along_segment(at, a, b);
+    const double away = distance_between(at, moved(a, part, minus(b, a)));
+    if (away >= least) continue;
+    least = away;
+    nearest = point_on_edge(mesh, e, part);
+  }
+  return nearest;
+}
+
+SurfacePath RulerSurface::find_path(const SurfacePoint& source, const SurfacePoint& target, bool is_last,
                                     RulerAnswer& answer, const Progress& progress) {
   const auto surface = layer_->surface();
-  answer.how = surface->at_once(false);
-  if (answer.how != AnswerMethod::exact) {
+  const AnswerMethod by = surface->at_once(false);
+  answer.how = is_last ? AnswerMethod::exact : by;
+  if (by != AnswerMethod::exact) {
     exact_paths_.reset();
     Answered answered;
-    return surface->path(source, target, answer.how, {}, answered, progress).path;
+    return surface->path(source, target, by, {.exact = is_last}, answered, progress).path;
   }
   if (!exact_paths_) exact_paths_ = std::make_unique<DragPaths>(surface->geometry());
   try {
@@ -138,9 +197,9 @@ SurfacePath RulerSurface::find_path(const SurfacePoint& source, const SurfacePoi
   }
 }
 
-void RulerSurface::measure_distance(const std::vector<SurfacePoint>& points, RulerAnswer& answer,
-                                    const Progress& progress) {
-  const SurfacePath path = find_path(points[0], points[1], answer, progress);
+void RulerSurface::measure_distance(const std::vector<SurfacePoint>& points, bool is_last,
+                                    RulerAnswer& answer, const Progress& progress) {
+  const SurfacePath path = find_path(points[0], points[1], is_last, answer, progress);
   const double straight = distance_between(answer.points[0], answer.points[1]);
   // Infinite where both ends are at one place in space, on two sheets of the surface.
   const double ratio = path.length == straight ? 1.0 : path.length / straight;
@@ -160,7 +219,7 @@ void RulerSurface::preview(const std::vector<SurfacePoint>& points, bool is_clos
     length += leg.length;
   };
   const auto add_leg = [&](std::size_t i, std::size_t j) {
-    const SurfacePath leg = find_path(points[i], points[j], answer, options.progress);
+    const SurfacePath leg = find_path(points[i], points[j], false, answer, options.progress);
     if (leg.points.empty()) refuse_leg(mesh, i, points[i], j, points[j]);
     add(leg);
   };
@@ -180,15 +239,14 @@ void RulerSurface::preview(const std::vector<SurfacePoint>& points, bool is_clos
   answer.values = {{is_closed ? Quantity::perimeter : Quantity::length, length}};
 }
 
-void RulerSurface::measure_disk(const std::vector<SurfacePoint>& points, RulerAnswer& answer,
+void RulerSurface::measure_disk(const std::vector<SurfacePoint>& points, bool is_last, RulerAnswer& answer,
                                 const TaskOptions& options) {
   const auto surface = layer_->surface();
-  const double radius = find_path(points[0], points[1], answer, options.progress).length;
+  const double radius = find_path(points[0], points[1], is_last, answer, options.progress).length;
   if (radius == 0.0) return;
   if (!std::isfinite(radius)) {
     throw InvalidInput("No path leads from the centre of the disk to this point; choose one nearer to it.");
   }
-  answer.how = AnswerMethod::exact;
   const Band disk = band(*surface, std::vector{points[0]}, radius, options);
   answer.values = {
       {Quantity::area, disk.area}, {Quantity::radius, radius}, {Quantity::border, disk.border_length}};
@@ -222,6 +280,7 @@ double angle_between(Surface& surface, const SurfacePath& first, const SurfacePa
 RulerAnswer RulerSurface::measure(MeasureKind kind, const std::vector<Picked>& picked, bool is_last,
                                   const Progress& progress) {
   const auto find = [&](RulerAnswer& answer) {
+    answer.metric = metric_;
     std::vector<SurfacePoint> points;
     for (const Picked& one : picked) {
       SurfacePoint point;
@@ -237,7 +296,7 @@ RulerAnswer RulerSurface::measure(MeasureKind kind, const std::vector<Picked>& p
     const auto add_line = [&](const SurfacePath& path) { append(answer.lines, lines_of(mesh, path)); };
     switch (kind) {
       case MeasureKind::distance:
-        return measure_distance(points, answer, progress);
+        return measure_distance(points, is_last, answer, progress);
       case MeasureKind::path: {
         if (!is_last) return preview(points, false, answer, options);
         const SurfacePath path = path_through(*surface, points, false, options).path;
@@ -266,7 +325,7 @@ RulerAnswer RulerSurface::measure(MeasureKind kind, const std::vector<Picked>& p
         return;
       }
       case MeasureKind::disk:
-        return measure_disk(points, answer, options);
+        return measure_disk(points, is_last, answer, options);
       case MeasureKind::angle: {
         if (!is_last) return preview(points, false, answer, options);
         if (points.size() != 3) throw InvalidInput("An angle has three points; click on them.");

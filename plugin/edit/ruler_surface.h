@@ -2,8 +2,10 @@
 // exact paths of a drag, and how many answers it showed in a second.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -57,14 +59,15 @@ class DragLog {
   void asked(Time now);
   /// An answer was computed; `seconds` of the worker.
   void computed(double seconds);
-  /// The window shows an answer that it did not show before.
-  void shown(Time now);
+  /// The window shows an answer that it did not show before; or a straight line, as that is not there yet.
+  void shown(Time now, bool is_straight = false);
   /// For the log; empty if fewer than two answers were shown. `what`: such as "paths".
   std::string sentence(const std::string& what, const std::string& method) const;
 
  private:
   int computed_ = 0;
   int shown_ = 0;
+  int straight_ = 0;  ///< of these
   double sum_ = 0.0;
   double slowest_ = 0.0;
   double longest_ = 0.0;       ///< time between two frames
@@ -73,12 +76,18 @@ class DragLog {
   Time last_;
 };
 
+/// Where points that are picked come to lie: where they were picked, at the nearest corner or side of the
+/// face there, or at the nearest place of the border.
+enum class SnapTo : std::uint8_t { free, vertex, edge, border };
+inline constexpr std::array<const char*, 4> snap_names{"free (F)", "vertex (V)", "edge (E)", "border (B)"};
+
 /// A point that was picked on the screen: a position in the coordinates of the layer, and how far from the
 /// surface it may lie: what a pixel and the depth of the picture resolve. Farther away, something else was
 /// picked.
 struct Picked {
   Point at{};
   double tolerance = 0.0;
+  SnapTo to = SnapTo::free;
 };
 
 /// What answered, as the dock and tables say it: "exact", "quick"; "refined" for paths of the index, which is
@@ -92,12 +101,14 @@ std::vector<double> round_values(double largest);
 /// A measurement or a field.
 struct RulerAnswer {
   bool is_field = false;
+  bool is_straight = false;    ///< only the straight line between two points, shown until the path is there
   bool is_on_surface = false;  ///< all that was picked; otherwise nothing else is meant to be read
   AnswerMethod how = AnswerMethod::exact;
   double seconds = 0.0;
   std::string error;  ///< a sentence; empty if there is none
 
   // Of a measurement:
+  RulerMetric metric{};
   std::vector<Point> points;  ///< on the surface
   std::vector<Value> values;  ///< see Measurement; empty as long as points are missing
   PathLines lines;            ///< without points if no path joins the two of a distance
@@ -112,16 +123,19 @@ struct RulerAnswer {
 /// it is first asked. Holds no algorithm: a Surface of the core answers.
 class RulerSurface {
  public:
-  explicit RulerSurface(std::shared_ptr<LayerSurface> layer) : layer_(std::move(layer)) {}
+  /// `metric`: the one by which the layer was read.
+  explicit RulerSurface(std::shared_ptr<LayerSurface> layer, const RulerMetric& metric = {})
+      : layer_(std::move(layer)), metric_(metric) {}
 
   const std::shared_ptr<LayerSurface>& layer() const { return layer_; }
+  const RulerMetric& metric() const { return metric_; }
   const VcgMeshArrays& arrays() const { return layer_->arrays(); }
   /// Null as long as there is none.
   std::shared_ptr<const GeodesicIndex> index() const { return layer_->index(); }
 
   // By the worker only. All errors become sentences. \throw Cancelled.
-  /// Of points that are clicked, those beside the surface are left out. `is_last`: as it is kept; before, a
-  /// polygon is shown as its border only.
+  /// Of points that are clicked, those beside the surface are left out. `is_last`: as it is kept, exact;
+  /// before, an index answers if there is one, and a polygon is shown as its border only.
   RulerAnswer measure(MeasureKind kind, const std::vector<Picked>& picked, bool is_last = true,
                       const Progress& progress = {});
   RulerAnswer field(const Picked& from, const Progress& progress = {});
@@ -131,18 +145,23 @@ class RulerSurface {
 
  private:
   bool snap(const Picked& picked, SurfacePoint& point);
-  SurfacePath find_path(const SurfacePoint& source, const SurfacePoint& target, RulerAnswer& answer,
-                        const Progress& progress);
-  void measure_distance(const std::vector<SurfacePoint>& points, RulerAnswer& answer,
+  SurfacePoint snapped(SnapTo to, const SurfacePoint& point);
+  SurfacePoint on_border(const Point& at);
+  SurfacePath find_path(const SurfacePoint& source, const SurfacePoint& target, bool is_last,
+                        RulerAnswer& answer, const Progress& progress);
+  void measure_distance(const std::vector<SurfacePoint>& points, bool is_last, RulerAnswer& answer,
                         const Progress& progress);
   void preview(const std::vector<SurfacePoint>& points, bool is_closed, RulerAnswer& answer,
                const TaskOptions& options);
-  void measure_disk(const std::vector<SurfacePoint>& points, RulerAnswer& answer, const TaskOptions& options);
+  void measure_disk(const std::vector<SurfacePoint>& points, bool is_last, RulerAnswer& answer,
+                    const TaskOptions& options);
 
   const std::shared_ptr<LayerSurface> layer_;
-  std::unique_ptr<DragPaths> exact_paths_;  ///< the worker's
-  std::vector<SurfacePoint> fixed_points_;  ///< the worker's: of a preview, those before the cursor
-  SurfacePath fixed_path_;                  ///< through them
+  const RulerMetric metric_;
+  std::optional<std::vector<Index>> border_;  ///< the worker's: the edges, once they were asked for
+  std::unique_ptr<DragPaths> exact_paths_;    ///< the worker's
+  std::vector<SurfacePoint> fixed_points_;    ///< the worker's: of a preview, those before the cursor
+  SurfacePath fixed_path_;                    ///< through them
 };
 
 }  // namespace vorogeo::plugin

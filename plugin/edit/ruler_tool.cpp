@@ -2,16 +2,10 @@
 #include "edit/ruler_tool.h"
 
 #include <QApplication>
-#include <QClipboard>
-#include <QDir>
-#include <QFile>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QKeyEvent>
-#include <QMessageBox>
 #include <QMouseEvent>
-#include <QSaveFile>
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -29,8 +23,11 @@ constexpr float line_width = 3.0F;
 constexpr float isoline_width = 1.5F;
 constexpr std::chrono::milliseconds tick_of_preparation{200};
 constexpr int columns = 4;
-constexpr QSize dock_size(460, 350);
+constexpr std::array<int, 4> snap_keys{Qt::Key_F, Qt::Key_V, Qt::Key_E, Qt::Key_B};  ///< by SnapTo
+constexpr QSize dock_size(460, 380);
 constexpr std::chrono::seconds tick_of_storing{1};
+/// A path that is not there after this time, that of a frame, is a straight line first.
+constexpr std::chrono::milliseconds wait_for_exact{40};
 /// Pixels from a point of a measurement at which it is taken by the mouse.
 constexpr double reach_of_points = 10.0;
 
@@ -92,6 +89,9 @@ std::shared_ptr<Measurements> RulerShared::measurements_of(MeshDocument& documen
 RulerTool::RulerTool(std::shared_ptr<RulerShared> shared) : shared_(std::move(shared)) {
   ticks_.setInterval(tick_of_preparation);
   connect(&ticks_, &QTimer::timeout, this, [this] { show_status(); });
+  straight_.setSingleShot(true);
+  straight_.setInterval(wait_for_exact);
+  connect(&straight_, &QTimer::timeout, this, [this] { show_straight(); });
   stores_.setInterval(tick_of_storing);
   connect(&stores_, &QTimer::timeout, this, [this] { store(); });
   // No thread may outlive the program's main function.
@@ -128,11 +128,14 @@ bool RulerTool::startEdit(MeshDocument& document, GLArea* area, MLSceneGLSharedD
              },
          .copy = [this] { copy(); },
          .save = [this] { save(); },
+         .open = [this] { open(); },
          .remove = [this](const std::vector<int>& numbers) { measurements_->remove(numbers); },
          .undo = [this] { measurements_->undo(); },
-         .measure_again = [this] { measure_again(); },
+         .measure_again = [this] { measure_edited(); },
          .choose_kind = [this](MeasureKind kind) { choose(kind); },
          .choose_unit = [this](LengthUnit unit) { measurements_->set_unit(unit); },
+         .choose_snap = [this](SnapTo to) { snap_to(to); },
+         .choose_metric = [this](const RulerMetric& metric) { choose_metric(metric); },
          .rename = [this](int number, const std::string& name) { measurements_->rename(number, name); },
          .hide = [this](int number, bool is_hidden) { measurements_->hide(number, is_hidden); }});
     dock_->setFloating(true);
@@ -182,25 +185,69 @@ void RulerTool::stop() {
   if (surface_) surface_->rest();
 }
 
+RichParameterList RulerTool::parameters_of(const RulerMetric& metric) const {
+  RichParameterList parameters = list_of(metric_parameters(), gap_parameters(*document_));
+  parameters.setValue("metric", IntValue(static_cast<int>(metric.metric)));
+  const auto weight = FloatValue(static_cast<float>(metric.weight));
+  if (metric.metric == LayerMetric::slope) parameters.setValue("slope_penalty", weight);
+  if (metric.metric == LayerMetric::curvature) parameters.setValue("curvature_weight", weight);
+  parameters.setValue("gap", FloatValue(static_cast<float>(metric.gap)));
+  return parameters;
+}
+
+/// As a filter would be called on the current layer.
+FilterCall RulerTool::call_with(const RichParameterList& parameters) const {
+  return {*document_, *document_->mm(), parameters, shared_->layers(), {}, [](const std::string&) {}};
+}
+
+/// The current layer as it is now. \throw Error.
+std::shared_ptr<LayerSurface> RulerTool::read_layer_in(const RulerMetric& metric) {
+  const RichParameterList parameters = parameters_of(metric);
+  const LayerMeasure measure = measure_of(call_with(parameters));
+  const MeshModel& layer = *document_->mm();
+  auto read = shared_->layers().find(layer.cm, measure, document_);
+  if (!read) {
+    const bool is_measured = surface_ && surface_->layer()->is_of(layer.cm, measure);
+    read = is_measured ? surface_->layer() : read_surface(layer.cm, measure);
+    shared_->layers().put(read, document_);
+  }
+  return read;
+}
+
+/// The same in the metric of a measurement; null, and a sentence, if there is none.
+std::shared_ptr<RulerSurface> RulerTool::surface_in(const RulerMetric& metric) {
+  if (surface_ && surface_->metric() == metric) return surface_;
+  try {
+    return std::make_shared<RulerSurface>(read_layer_in(metric), metric);
+  } catch (const Error& error) {
+    say(error.what());
+    return nullptr;
+  }
+}
+
 /// The current layer as it is now. If it is not the one that was read last, nothing of that is used any more.
 void RulerTool::read_layer() {
   const MeshModel* layer = document_ == nullptr ? nullptr : document_->mm();
   std::shared_ptr<RulerSurface> now;
   why_not_ = "There is no layer.";
   if (layer != nullptr) {
+    const bool is_same_layer = layer_ == static_cast<int>(layer->id());
+    layer_ = static_cast<int>(layer->id());
     try {
-      const bool is_measured = surface_ && layer_ == layer->id() && surface_->layer()->is_of(layer->cm, {});
-      auto read = shared_->layers().find(layer->cm, {}, document_);
-      if (!read) {
-        read = is_measured ? surface_->layer() : read_surface(layer->cm, {});
-        shared_->layers().put(read, document_);
-      }
-      measurements_->compare(layer->id(), read->arrays());
-      now = is_measured && surface_->layer() == read ? surface_ : std::make_shared<RulerSurface>(read);
+      const auto read = read_layer_in(metric_);
+      const bool is_read = surface_ && is_same_layer && surface_->metric() == metric_;
+      now = is_read && surface_->layer() == read ? surface_ : std::make_shared<RulerSurface>(read, metric_);
     } catch (const Error& error) {
       why_not_ = QString::fromUtf8(error.what());
     }
-    layer_ = layer->id();
+    measurements_->compare(layer_, [&](const RulerMetric& metric) -> const VcgMeshArrays* {
+      if (now && (metric == metric_ || !metric.is_of_quality())) return &now->arrays();
+      try {
+        return &read_layer_in(metric)->arrays();  // which the cache keeps until the next is read
+      } catch (const Error&) {
+        return nullptr;
+      }
+    });
   }
   if (now == surface_) return;
   stop_preparation();
@@ -208,15 +255,27 @@ void RulerTool::read_layer() {
   clicked_.clear();
   live_.reset();
   field_ = {};
+  ++reading_;
   surface_ = std::move(now);
+  if (surface_) {
+    for (const std::string& remark : surface_->layer()->remarks()) log(GLLogStream::FILTER, remark);
+  }
   warm_up();
+  measure_imported();
+}
+
+/// Lines are not imported, and come with the same value.
+void RulerTool::measure_imported() {
+  for (const Measurement& m : measurements_->all()) {
+    if (m.layer == layer_ && m.lacks_lines() && !m.is_of_another_mesh) measure_again(m);
+  }
 }
 
 /// A request of no drag: nobody waits for its answer, but then everything is made that the first path needs.
 void RulerTool::warm_up() {
   if (!surface_ || drag_ || surface_->arrays().positions.empty()) return;
   const Picked anywhere{surface_->arrays().positions.front(), unreachable};
-  post({.surface = surface_, .points = {anywhere, anywhere}});
+  post({.surface = surface_, .reading = reading_, .points = {anywhere, anywhere}});
 }
 
 void RulerTool::mousePressEvent(QMouseEvent* event, MeshModel&, GLArea*) {
@@ -237,7 +296,8 @@ void RulerTool::mousePressEvent(QMouseEvent* event, MeshModel&, GLArea*) {
                .cursor = event->pos(),
                .view = {},
                .from = {},
-               .to = {}};
+               .to = {},
+               .surface = surface_};
   log_.begin();
 }
 
@@ -259,7 +319,9 @@ std::optional<Picked> RulerTool::pick(const QPoint& at) const {
   const double ratio = area_->devicePixelRatioF();
   const int x = static_cast<int>(at.x() * ratio);
   const int y = drag_->view->height() - 1 - static_cast<int>(at.y() * ratio);
-  return drag_->view->pick(x, y);
+  auto picked = drag_->view->pick(x, y);
+  if (picked) picked->to = snap_;
+  return picked;
 }
 
 /// The point of a measurement that is seen where the mouse was pressed.
@@ -280,13 +342,16 @@ bool RulerTool::find_point() {
       drag.point = i;
     }
   }
-  return drag.measurement != 0;
+  const Measurement* const moved = measurements_->find(drag.measurement);
+  drag.surface = moved == nullptr ? nullptr : surface_in(moved->metric);
+  return drag.surface != nullptr;
 }
 
 /// What the drag asks as it is now; nothing as long as it has not been over the surface.
 std::optional<RulerRequest> RulerTool::request_of(const Drag& drag) const {
   if (!drag.to) return std::nullopt;
-  RulerRequest request{.surface = surface_,
+  RulerRequest request{.surface = drag.surface,
+                       .reading = reading_,
                        .step = step_,
                        .is_field = drag.is_field,
                        .is_last = drag.is_released,
@@ -324,6 +389,7 @@ void RulerTool::ask() {
     log_.asked(std::chrono::steady_clock::now());
     if (request->adds_point) clicked_ = request->points;
     post(*request);
+    wait_for_path(*request);
   }
   if (drag.is_released) drag_.reset();
   const bool is_angle = kind_ == MeasureKind::angle && clicked_.size() == least_points(kind_);
@@ -344,6 +410,29 @@ void RulerTool::post(RulerRequest request) {
   worker_.post(std::move(work), is_kept);
 }
 
+/// Straight lines follow the mouse as long as paths do not.
+void RulerTool::wait_for_path(const RulerRequest& request) {
+  if (request.is_field || request.is_last || request.kind != MeasureKind::distance) return straight_.stop();
+  straight_ends_ = {request.points[0].at, request.points[1].at};
+  if (live_ && live_->is_straight) {
+    show_straight();
+  } else if (!straight_.isActive()) {
+    straight_.start();
+  }
+}
+
+void RulerTool::show_straight() {
+  if (!drag_) return;
+  live_ = RulerAnswer{};
+  live_->is_straight = true;
+  live_->points.assign(straight_ends_.begin(), straight_ends_.end());
+  live_->values = {{Quantity::straight, distance_between(straight_ends_[0], straight_ends_[1])}};
+  live_->lines = lines_through(live_->points);
+  is_new_ = true;
+  show_what_is_shown();
+  repaint();
+}
+
 // ---- Points that are clicked one after the other, and steps back
 
 void RulerTool::choose(MeasureKind kind) {
@@ -351,6 +440,22 @@ void RulerTool::choose(MeasureKind kind) {
   drag_.reset();
   clicked_.clear();
   show_clicked();
+}
+
+/// Points that have been clicked belong to the surface of another metric.
+void RulerTool::choose_metric(const RulerMetric& metric) {
+  if (metric == metric_) return;
+  metric_ = metric;
+  drag_.reset();
+  read_layer();
+  show_status();
+  repaint();
+}
+
+void RulerTool::snap_to(SnapTo to) {
+  snap_ = to;
+  if (dock_ != nullptr) dock_->show_snap(to);
+  ask();
 }
 
 /// One that was released before its view was painted is asked now.
@@ -362,7 +467,12 @@ void RulerTool::end_drag() {
 void RulerTool::finish() {
   end_drag();
   if (!surface_ || clicked_.empty()) return;
-  post({.surface = surface_, .step = ++step_, .is_last = true, .kind = kind_, .points = clicked_});
+  post({.surface = surface_,
+        .reading = reading_,
+        .step = ++step_,
+        .is_last = true,
+        .kind = kind_,
+        .points = clicked_});
   clicked_.clear();
 }
 
@@ -379,23 +489,30 @@ void RulerTool::show_clicked() {
   ++step_;
   live_.reset();
   field_ = {};
+  show_status();
   if (surface_ && !clicked_.empty()) {
-    post({.surface = surface_, .step = step_, .kind = kind_, .points = clicked_});
+    post({.surface = surface_, .reading = reading_, .step = step_, .kind = kind_, .points = clicked_});
   }
   repaint();
 }
 
-void RulerTool::measure_again() {
+void RulerTool::measure_edited() {
   read_layer();
-  if (!surface_) return;
   for (const Measurement& m : measurements_->all()) {
-    if (m.layer != layer_ || !m.is_of_another_mesh) continue;
-    post({.surface = surface_,
-          .is_last = true,
-          .kind = m.kind,
-          .points = picked_at(m.points),
-          .replaces = m.number});
+    if (m.layer == layer_ && m.is_of_another_mesh) measure_again(m);
   }
+}
+
+/// In its own metric.
+void RulerTool::measure_again(const Measurement& m) {
+  const auto surface = surface_in(m.metric);
+  if (!surface) return;
+  post({.surface = surface,
+        .reading = reading_,
+        .is_last = true,
+        .kind = m.kind,
+        .points = picked_at(m.points),
+        .replaces = m.number});
 }
 
 /// The main window has shortcuts for some of these keys, which win unless the view claims them. Double clicks
@@ -412,12 +529,16 @@ bool RulerTool::eventFilter(QObject* watched, QEvent* event) {
     const int key = key_event->key();
     const bool is_back = is_making && (key == Qt::Key_Escape || key == Qt::Key_Backspace);
     const bool is_end = is_clicking && (key == Qt::Key_Return || key == Qt::Key_Enter);
-    const bool is_camera = key == Qt::Key_C && key_event->modifiers() == Qt::NoModifier;
-    if (is_back || is_end || is_camera) {
+    const bool is_plain = key_event->modifiers() == Qt::NoModifier;
+    const bool is_camera = is_plain && key == Qt::Key_C;
+    const auto snap = std::ranges::find(snap_keys, key);
+    const bool is_snap = is_plain && snap != snap_keys.end();
+    if (is_back || is_end || is_camera || is_snap) {
       event->accept();
       if (event->type() == QEvent::ShortcutOverride) return true;
       if (is_back) step_back();
       if (is_end) finish();
+      if (is_snap) snap_to(static_cast<SnapTo>(snap - snap_keys.begin()));
       if (is_camera) QMetaObject::invokeMethod(area_->window(), "suspendEditMode");
       return true;
     }
@@ -427,17 +548,26 @@ bool RulerTool::eventFilter(QObject* watched, QEvent* event) {
 
 /// An answer has come. The surface may be another one by now, the drag may have ended.
 void RulerTool::take(const RulerRequest& request, const RulerAnswer& found) {
-  if (request.surface != surface_ || document_ == nullptr) return;
+  if (request.reading != reading_ || document_ == nullptr) return;
   if (!found.error.empty()) return refuse(request, found.error);
   const bool is_of_none = request.step == 0 && !request.is_last;
-  if (request.adds_point && request.step == step_ && !found.is_on_surface) clicked_.clear();
+  if (request.step == step_ && !found.is_on_surface) {
+    if (request.adds_point) clicked_.clear();
+    straight_.stop();
+    if (live_ && live_->is_straight) live_.reset();
+  }
   if (!found.is_on_surface || is_of_none) return;
   if (request.step == step_) {
-    log_.computed(found.seconds);
+    straight_.stop();
+    if (!request.is_last) {
+      log_.computed(found.seconds);
+      drag_method_ = found.how;
+    }
     live_ = found;
     is_new_ = true;
     if (found.is_field) color_field(found);
     if (request.adds_point) clicked_ = picked_at(found.points);  // without places beside the surface
+    show_what_is_shown();
   }
   if (request.is_last) {
     if (found.is_field) {
@@ -452,15 +582,29 @@ void RulerTool::take(const RulerRequest& request, const RulerAnswer& found) {
 /// Points that have been clicked stay, so that they can be changed.
 void RulerTool::refuse(const RulerRequest& request, const std::string& sentence) {
   const bool is_drag = request.step != 0 && !request.is_last;
-  if (!is_drag) log(GLLogStream::WARNING, sentence);
-  if (dock_ != nullptr) dock_->show_status(QString::fromStdString(sentence));
+  say(sentence, !is_drag);
   if (request.step != step_) return;
+  straight_.stop();
   if (request.is_last && takes_clicks(request.kind) && request.replaces == 0) {
     clicked_ = request.points;
   } else {
     live_.reset();
   }
   repaint();
+}
+
+void RulerTool::say(const std::string& sentence, bool is_logged) {
+  if (is_logged) log(GLLogStream::WARNING, sentence);
+  if (dock_ != nullptr) dock_->show_status(QString::fromStdString(sentence));
+}
+
+/// Of a path: whether it is the exact one, or something in its place.
+void RulerTool::show_what_is_shown() {
+  if (dock_ == nullptr || !live_ || live_->is_field || live_->values.empty()) return;
+  const bool is_refined = live_->how == AnswerMethod::index;
+  dock_->show_status(live_->is_straight ? "Preview: the straight line; the exact path follows."
+                     : is_refined       ? "Preview: refined, from the index; exact once it ends."
+                                        : "Exact.");
 }
 
 void RulerTool::decorate(MeshModel& layer, GLArea*, QPainter* painter) {
@@ -473,12 +617,12 @@ void RulerTool::decorate(MeshModel& layer, GLArea*, QPainter* painter) {
   draw(transform);
   const SceneView view = SceneView::capture(transform, false);
   draw_labels(*painter, view, labels(view));
-  if (is_new_) log_.shown(std::chrono::steady_clock::now());
+  if (is_new_) log_.shown(std::chrono::steady_clock::now(), live_ && live_->is_straight);
   is_new_ = false;
 }
 
 void RulerTool::draw(const Transform& transform) {
-  Overlay overlay(transform);
+  Overlay overlay(transform, static_cast<float>(area_->devicePixelRatioF()));
   if (live_ && live_->is_field) {
     overlay.surface(field_);
     overlay.lines(live_->isolines, isoline_color, isoline_width, false);
@@ -507,8 +651,9 @@ std::vector<Label> RulerTool::labels(const SceneView& view) const {
     Measurement live;
     live.values = live_->values;
     for (const Point& point : live_->points) add(point, {});
+    live.metric = live_->metric;
     const QString text = QString::fromStdString(measurements_->label(live));
-    if (!text.isEmpty()) add(live_->points.back(), text);
+    if (!text.isEmpty()) add(live_->points.back(), (live_->is_straight ? "straight " : "") + text);
   }
   return found;
 }
@@ -544,11 +689,14 @@ void RulerTool::color_field(const RulerAnswer& field) {
 
 void RulerTool::keep(const RulerRequest& request, const RulerAnswer& found) {
   const std::string method = name_of(found.how, true);
-  const std::string drag = log_.sentence("paths", method);
+  const std::string drag = log_.sentence("paths", name_of(drag_method_, true));
   if (!drag.empty() && request.step == step_ && request.kind == MeasureKind::distance) {
     log(GLLogStream::FILTER, drag);
   }
-  if (request.step == step_) live_.reset();
+  if (request.step == step_) {
+    live_.reset();
+    show_status();
+  }
   const bool is_nothing = request.kind == MeasureKind::distance && found.points[0] == found.points[1];
   if (found.values.empty() || is_nothing) return;
   const MeshModel* layer = document_->getMesh(static_cast<unsigned>(layer_));
@@ -559,13 +707,13 @@ void RulerTool::keep(const RulerRequest& request, const RulerAnswer& found) {
                           .values = found.values,
                           .points = found.points,
                           .method = method,
-                          .path = found.lines};
-  const VcgMeshArrays& mesh = surface_->arrays();
+                          .path = found.lines,
+                          .metric = found.metric};
+  const VcgMeshArrays& mesh = request.surface->arrays();
   const Measurement* kept = request.replaces == 0
                                 ? &measurements_->add(std::move(measurement), mesh)
                                 : measurements_->replace(request.replaces, std::move(measurement), mesh);
   if (kept == nullptr) return;
-  show_status();
   if (!std::isfinite(kept->values.front().value)) {
     log(GLLogStream::FILTER, "Ruler: " + kept->name + ": no path, the points lie in different components");
     return;
@@ -577,7 +725,9 @@ void RulerTool::keep(const RulerRequest& request, const RulerAnswer& found) {
                  ? Measurements::four_digits(value)
                  : logged_length(value));
   }
-  log(GLLogStream::FILTER, "Ruler: " + kept->name + ": " + text + ", " + method);
+  const std::string metric = name_of(kept->metric);
+  log(GLLogStream::FILTER,
+      "Ruler: " + kept->name + ": " + text + (metric.empty() ? "" : ", " + metric) + ", " + method);
 }
 
 void RulerTool::keep_field(const RulerAnswer& found) {
@@ -589,7 +739,13 @@ void RulerTool::keep_field(const RulerAnswer& found) {
   const std::string method = name_of(found.how, false);
   const std::string drag = log_.sentence("fields", method);
   if (!drag.empty()) log(GLLogStream::FILTER, drag);
+  const RichParameterList parameters = parameters_of(metric_);
+  FilterCall call = call_with(parameters);
+  FilterRow writes_quality{};
+  writes_quality.changes = MeshModel::MM_VERTQUALITY;
+  const KeptCost cost(call, writes_quality);
   write_distances(*layer, surface_->arrays().input_of_vertex, found.distances, found.largest);
+  cost.write(call);
   live_.reset();
   field_ = {};
   if (context_ != nullptr) show_vertex_colors(*context_, area_, layer_);
@@ -608,8 +764,8 @@ void RulerTool::show_status() {
   const bool has_index = surface_->index() != nullptr;
   const char* fields = has_index ? "index" : vertices <= max_vertices_at_once ? "exact" : "quick";
   dock_->show_status(QString("Paths: %1. Distances: %2.%3")
-                         .arg(has_index ? "refined, from the index" : "exact, without an index", fields,
-                              has_index ? "" : " Prepare an index to have both at once."));
+                         .arg(has_index ? "from the index, exact at the end" : "exact, without an index",
+                              fields, has_index ? "" : " Prepare an index to have both at once."));
   if (is_preparing_) {
     dock_->show_preparation(preparation_.fraction());
   } else {
@@ -653,85 +809,6 @@ void RulerTool::prepared(const std::shared_ptr<RulerSurface>& surface,
   if (!error.empty()) {
     log(GLLogStream::WARNING, "Ruler: no index: " + error);
     if (dock_ != nullptr) dock_->show_status(QString::fromStdString(error));
-  }
-}
-
-// ---- Text, and the files beside the mesh and the project
-
-void RulerTool::copy() const {
-  QApplication::clipboard()->setText(QString::fromStdString(measurements_->table()));
-}
-
-/// The file first: if it cannot be written, no layer is added.
-void RulerTool::save() {
-  if (document_ == nullptr || document_->mm() == nullptr || measurements_->all().empty()) return;
-  const MeshModel& layer = *document_->mm();
-  const QFileInfo mesh_file(layer.fullName());
-  const QString name = QFileDialog::getSaveFileName(
-      area_, "Save measurements",
-      mesh_file.dir().filePath(mesh_file.completeBaseName() + "_measurements.csv"),
-      "Comma-separated values (*.csv)");
-  if (name.isEmpty() || document_ == nullptr || document_->mm() != &layer) return;
-  QSaveFile file(name);
-  const QByteArray text = QByteArray::fromStdString(measurements_->csv());
-  if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit()) {
-    QMessageBox::warning(
-        area_, "Geodesic ruler",
-        "The file " + name + " could not be written: " + file.errorString() + ". Choose another folder.");
-    return;
-  }
-  log(GLLogStream::FILTER, "Ruler: measurements written to " + name.toStdString());
-  const PathLines paths = measurements_->lines_on(layer_);
-  if (!paths.lines.points.empty()) {
-    add_polyline_layer(*document_, layer, "Geodesic measurements", paths.lines, paths.along, false);
-    QMetaObject::invokeMethod(area_, "updateLayerTable");
-  }
-  repaint();
-}
-
-/// Beside the file of the project, as the host keeps nothing of tools in that; empty as long as it has none.
-QString RulerTool::file_of_project() const {
-  const QFileInfo project(document_ == nullptr ? QString() : document_->docLabel());
-  const bool is_project = project.suffix() == "mlp" || project.suffix() == "mlb";
-  return is_project && project.isFile() ? project.absoluteFilePath() + ".measurements" : QString();
-}
-
-void RulerTool::load(Measurements& list) {
-  QFile file(file_of_project());
-  if (file.fileName().isEmpty() || !file.open(QIODevice::ReadOnly)) return;
-  stored_file_ = file.fileName();
-  const auto layer_of = [this](const std::string& name) {
-    for (const MeshModel& layer : document_->meshIterator()) {
-      if (layer.label().toStdString() == name) return static_cast<int>(layer.id());
-    }
-    return -1;
-  };
-  try {
-    list.read(file.readAll().toStdString(), layer_of);
-    log(GLLogStream::FILTER, "Ruler: " + std::to_string(list.all().size()) + " measurements read from " +
-                                 stored_file_.toStdString());
-  } catch (const Error& error) {
-    const QString kept = stored_file_ + ".unreadable";
-    file.rename(kept);
-    log(GLLogStream::WARNING, "Ruler: " + stored_file_.toStdString() + ": " + error.what() +
-                                  " It is kept as " + kept.toStdString() + ".");
-  }
-  stored_revision_ = list.revision();
-}
-
-/// At every change, and when the project gets a file. A list without measurements makes no file.
-void RulerTool::store() {
-  const QString name = file_of_project();
-  if (name.isEmpty() || !measurements_) return;
-  if (name == stored_file_ && measurements_->revision() == stored_revision_) return;
-  if (measurements_->all().empty() && !QFile::exists(name)) return;
-  stored_file_ = name;
-  stored_revision_ = measurements_->revision();
-  QSaveFile file(name);
-  const QByteArray text = QByteArray::fromStdString(measurements_->text());
-  if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit()) {
-    log(GLLogStream::WARNING, "Ruler: the file " + name.toStdString() + " could not be written: " +
-                                  file.errorString().toStdString() + ". Save the project in another folder.");
   }
 }
 

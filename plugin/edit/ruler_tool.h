@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QPointer>
 #include <QTimer>
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "edit/ruler_surface.h"
 #include "edit/scene.h"
 #include "host/edit_host.h"
+#include "host/filter_row.h"
 #include "layers/layer_surface.h"
 
 namespace vorogeo::plugin {
@@ -45,7 +47,8 @@ class RulerShared {
 /// What is asked while the mouse drags, at clicks, and when something is measured again.
 struct RulerRequest {
   std::shared_ptr<RulerSurface> surface;
-  int step = 0;  ///< a number for each press of the mouse button and other step of the user; 0: of none
+  int reading = 0;  ///< of the layer
+  int step = 0;     ///< a number for each press of the mouse button and other step of the user; 0: of none
   bool is_field = false;
   bool is_last = false;     ///< the answer is kept
   bool adds_point = false;  ///< those that have been clicked have become one more
@@ -87,11 +90,17 @@ class RulerTool : public QObject, public EditTool {
     std::optional<SceneView> view;
     std::optional<Picked> from;
     std::optional<Picked> to;  ///< the last place on the surface
-    int measurement = 0;       ///< whose point moves
-    std::size_t point = 0;     ///< which one
+    std::shared_ptr<RulerSurface> surface;
+    int measurement = 0;    ///< whose point moves
+    std::size_t point = 0;  ///< which one
   };
 
+  RichParameterList parameters_of(const RulerMetric& metric) const;
+  FilterCall call_with(const RichParameterList& parameters) const;
+  std::shared_ptr<LayerSurface> read_layer_in(const RulerMetric& metric);
+  std::shared_ptr<RulerSurface> surface_in(const RulerMetric& metric);
   void read_layer();
+  void measure_imported();
   void warm_up();
   void stop();
   void ask();
@@ -100,13 +109,20 @@ class RulerTool : public QObject, public EditTool {
   void post(RulerRequest request);
   std::optional<Picked> pick(const QPoint& at) const;
   void choose(MeasureKind kind);
+  void choose_metric(const RulerMetric& metric);
+  void snap_to(SnapTo to);
+  void wait_for_path(const RulerRequest& request);
+  void show_straight();
   void end_drag();
   void finish();
   void step_back();
   void show_clicked();
-  void measure_again();
+  void measure_edited();
+  void measure_again(const Measurement& m);
   void take(const RulerRequest& request, const RulerAnswer& answer);
   void refuse(const RulerRequest& request, const std::string& sentence);
+  void say(const std::string& sentence, bool is_logged = true);
+  void show_what_is_shown();
   void keep(const RulerRequest& request, const RulerAnswer& answer);
   void keep_field(const RulerAnswer& answer);
   void color_field(const RulerAnswer& field);
@@ -119,6 +135,8 @@ class RulerTool : public QObject, public EditTool {
   void stop_preparation();
   void copy() const;
   void save();
+  void open();
+  int layer_named(const std::string& name) const;
   QString file_of_project() const;
   void load(Measurements& list);
   void store();
@@ -130,17 +148,22 @@ class RulerTool : public QObject, public EditTool {
   QPointer<MeshDocument> document_;
   MLSceneGLSharedDataContext* context_ = nullptr;
   QPointer<RulerDock> dock_;
-  QTimer ticks_;   ///< while an index is built
+  QTimer ticks_;     ///< while an index is built
+  QTimer straight_;  ///< while a path is awaited, until the straight line is shown
+  std::array<Point, 2> straight_ends_{};
   QTimer stores_;  ///< from the first start on
   QString stored_file_;
   int stored_revision_ = -1;
 
-  int layer_ = -1;  ///< the host's number of the layer that is measured
-  std::shared_ptr<RulerSurface> surface_;
+  int layer_ = -1;   ///< the host's number of the layer that is measured
+  int reading_ = 0;  ///< grows when the layer is read anew
+  RulerMetric metric_;
+  std::shared_ptr<RulerSurface> surface_;       ///< in that metric
   QString why_not_;                             ///< without a surface
   std::shared_ptr<Measurements> measurements_;  ///< not null once the tool was started
 
   MeasureKind kind_ = MeasureKind::distance;
+  SnapTo snap_ = SnapTo::free;
   int step_ = 0;
   std::optional<Drag> drag_;
   std::vector<Picked> clicked_;  ///< of the measurement that is being made
@@ -149,6 +172,7 @@ class RulerTool : public QObject, public EditTool {
   bool is_new_ = false;  ///< an answer has not been painted yet
   bool is_preparing_ = false;
   DragLog log_;
+  AnswerMethod drag_method_ = AnswerMethod::exact;  ///< of the last answer before the end
 
   // Last, so that their threads end before anything else is destroyed.
   Background preparation_;  ///< of an index

@@ -101,7 +101,7 @@ constexpr double dot_radius = 3.5;
 
 }  // namespace
 
-Overlay::Overlay(const Transform& layer) {
+Overlay::Overlay(const Transform& layer, float ratio) : ratio_(ratio) {
   gl().glPushAttrib(GL_ALL_ATTRIB_BITS);
   gl().glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
   gl().glMatrixMode(GL_MODELVIEW);
@@ -129,7 +129,7 @@ Overlay::~Overlay() {
 }
 
 void Overlay::segments(const SurfaceLines& lines, const Color& color, float width, float opacity) {
-  gl().glLineWidth(width);
+  gl().glLineWidth(ratio_ * width);
   gl().glColor4f(color[0], color[1], color[2], opacity);
   gl().glEnableClientState(GL_VERTEX_ARRAY);
   gl().glVertexPointer(3, GL_DOUBLE, 0, lines.points.data());
@@ -145,7 +145,7 @@ void Overlay::lines(const SurfaceLines& lines, const Color& color, float width, 
   if (dotted) {
     gl().glDepthFunc(GL_GREATER);
     gl().glEnable(GL_LINE_STIPPLE);
-    gl().glLineStipple(2, dots);
+    gl().glLineStipple(std::max(1, static_cast<int>(std::lround(2.0F * ratio_))), dots);
     segments(lines, color, width, opacity_hidden);
     gl().glDisable(GL_LINE_STIPPLE);
   }

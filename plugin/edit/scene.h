@@ -65,19 +65,22 @@ inline constexpr Color isoline_color{1.0F, 1.0F, 1.0F};
 /// painted. The depth of the scene decides what is hidden.
 class Overlay {
  public:
-  explicit Overlay(const Transform& layer);
+  /// `ratio`: pixels of the picture to a pixel of the window.
+  Overlay(const Transform& layer, float ratio);
   ~Overlay();
   Overlay(const Overlay&) = delete;
   Overlay& operator=(const Overlay&) = delete;
 
-  /// With a dark rim. `width` in pixels; `dotted`: what the scene hides is drawn in dots, otherwise not at
-  /// all.
+  /// With a dark rim. `width` in pixels of the window; `dotted`: what the scene hides is drawn in dots,
+  /// otherwise not at all.
   void lines(const SurfaceLines& lines, const Color& color, float width, bool dotted = true);
   /// In place of the surface that was drawn, in the light of the scene.
   void surface(const ColoredSurface& surface);
 
  private:
   void segments(const SurfaceLines& lines, const Color& color, float width, float opacity);
+
+  const float ratio_;
 };
 
 struct Label {

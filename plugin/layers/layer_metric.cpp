@@ -175,11 +175,14 @@ std::vector<std::string> remarks_on(const Metric& metric) {
 }  // namespace
 
 RichParameterList metric_parameters() {
+  QStringList metrics;
+  for (const char* name : metric_names) metrics << name;
+  const auto usual = [](LayerMetric metric) {
+    return static_cast<Scalarm>(usual_weights[static_cast<std::size_t>(metric)]);
+  };
   return list_of(
       RichEnum(
-          "metric", static_cast<int>(LayerMetric::length),
-          {"Length", "Vertex quality as cost", "Slope penalty", "Along curvature", "Face quality as cost"},
-          "Metric",
+          "metric", static_cast<int>(LayerMetric::length), metrics, "Metric",
           "What paths cost: their length; the integral of the vertex quality, a cost above 0 for each unit "
           "of length, not a speed (where it is 2, paths count twice); more on slopes, for terrain; more "
           "across ridges and limbs than along them; or the quality of faces as a cost that jumps at edges, "
@@ -187,7 +190,7 @@ RichParameterList metric_parameters() {
           "filter that overwrites the quality keeps the cost as the vertex attribute metric_cost, so that it "
           "can be applied again.",
           advanced),
-      RichFloat("slope_penalty", 1, "Slope penalty",
+      RichFloat("slope_penalty", usual(LayerMetric::slope), "Slope penalty",
                 "With the metric slope penalty: cost 1 on level ground and 1 plus this on a wall; z points "
                 "upwards.",
                 advanced),
@@ -195,7 +198,7 @@ RichParameterList metric_parameters() {
                 "With the metric slope penalty: no path enters faces that rise more than this for each unit "
                 "of length on the map; 0.083 is 1 in 12.",
                 advanced),
-      RichFloat("curvature_weight", 3, "Curvature weight",
+      RichFloat("curvature_weight", usual(LayerMetric::curvature), "Curvature weight",
                 "With the metric along curvature: above 0, paths follow ridges and limbs; below 0, they run "
                 "around them.",
                 advanced));

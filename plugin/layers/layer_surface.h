@@ -24,6 +24,11 @@ namespace vorogeo::plugin {
 
 /// What a path costs; the values of the parameter metric.
 enum class LayerMetric { length, vertex_quality, slope, curvature, face_quality };
+/// As dialogs and tables say it.
+inline constexpr std::array<const char*, 5> metric_names{"Length", "Vertex quality as cost", "Slope penalty",
+                                                         "Along curvature", "Face quality as cost"};
+/// slope_penalty and curvature_weight by default; 0 in other metrics.
+inline constexpr std::array usual_weights{0.0, 0.0, 1.0, 3.0, 0.0};
 
 /// What decides, besides a layer's mesh, which distances it has.
 struct LayerMeasure {

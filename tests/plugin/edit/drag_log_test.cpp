@@ -23,6 +23,17 @@ TEST(DragLog, FramesASecondAreThoseBetweenTheFirstAndTheLast) {
             "exact, 21 computed in 1.48 ms on average, 11 ms at most");
 }
 
+TEST(DragLog, StraightLinesAreCountedAmongThePaths) {
+  DragLog log;
+  log.computed(0.001);
+  log.shown({}, true);
+  log.shown(DragLog::Time(milliseconds(100)), true);
+  log.shown(DragLog::Time(milliseconds(200)));
+  EXPECT_EQ(log.sentence("paths", "exact"),
+            "Ruler: 3 paths (2 as straight lines first) shown in 0.2 s, 10 a second, 100 ms at most between "
+            "two; exact, 1 computed in 1 ms on average, 1 ms at most");
+}
+
 TEST(DragLog, OneFrameSaysNothing) {
   DragLog log;
   EXPECT_EQ(log.sentence("paths", "exact"), "");

@@ -56,6 +56,22 @@ VcgMeshArrays triangle(double width) {
 
 const VcgMeshArrays mesh = triangle(1.0);
 
+/// Compares with a mesh that is the same in every metric.
+void compare(Measurements& list, int layer, const VcgMeshArrays& now) {
+  list.compare(layer, [&](const RulerMetric&) { return &now; });
+}
+
+/// The sentence of an error, empty without one.
+template <class Run>
+std::string sentence_of(Run&& run) {
+  try {
+    run();
+  } catch (const InvalidInput& error) {
+    return error.what();
+  }
+  return {};
+}
+
 TEST(Measurements, NumbersAreNeverUsedAgain) {
   Measurements list;
   EXPECT_EQ(list.add(over_a_corner(0), mesh).number, 1);
@@ -91,19 +107,51 @@ TEST(Measurements, OnlyThoseOfTheEditedLayerSaySo) {
   list.add(over_a_corner(4), mesh);
   int told = 0;
   list.watch(&told, [&] { ++told; });
-  list.compare(4, mesh);
-  list.compare(5, triangle(2.0));
+  compare(list, 4, mesh);
+  compare(list, 5, triangle(2.0));
   EXPECT_EQ(told, 1);
-  list.compare(4, triangle(2.0));
+  compare(list, 4, triangle(2.0));
   EXPECT_EQ(told, 2);
   list.add(over_a_corner(4), triangle(2.0));
   const auto details = [&](std::size_t i) { return list.row(list.all()[i])[5]; };
   EXPECT_EQ(details(0), "straight 2.236, ratio 1.342; exact");
   EXPECT_EQ(details(1), "straight 2.236, ratio 1.342; exact, before an edit");
   EXPECT_EQ(details(2), "straight 2.236, ratio 1.342; exact");
-  list.compare(4, mesh);  // the edit was undone
+  compare(list, 4, mesh);  // the edit was undone
   EXPECT_FALSE(list.all()[1].is_of_another_mesh);
   EXPECT_TRUE(list.all()[2].is_of_another_mesh);
+}
+
+TEST(Measurements, QualityThatIsTheCostBelongsToTheMesh) {
+  Measurements list;
+  Measurement weighted = over_a_corner(4);
+  weighted.metric = {LayerMetric::vertex_quality};
+  VcgMeshArrays painted = mesh;
+  painted.metric.sides = {{2.0, 2.0, 2.0 * std::sqrt(2.0)}};
+  list.add(weighted, painted);
+  list.add(over_a_corner(4), mesh);
+  const auto are_stale = [&](const VcgMeshArrays* in_quality) {
+    list.compare(4, [&](const RulerMetric& metric) { return metric.is_of_quality() ? in_quality : &mesh; });
+    return std::pair(list.all()[0].is_of_another_mesh, list.all()[1].is_of_another_mesh);
+  };
+  EXPECT_EQ(are_stale(&painted), std::pair(false, false));
+  VcgMeshArrays repainted = painted;
+  repainted.metric.sides[0][2] = 3.0;
+  EXPECT_EQ(are_stale(&repainted), std::pair(true, false));
+  EXPECT_EQ(are_stale(nullptr), std::pair(true, false));
+}
+
+TEST(Measurements, MetricsAreNamedInLabelsAndRows) {
+  EXPECT_EQ(name_of(RulerMetric{}), "");
+  EXPECT_EQ(name_of(RulerMetric{LayerMetric::vertex_quality, 0.0, 0.0}), "vertex quality as cost");
+  EXPECT_EQ(name_of(RulerMetric{LayerMetric::length, 0.0, 0.5}), "gap 0.5");
+  Measurements list;
+  Measurement steep = over_a_corner(0);
+  steep.metric = {LayerMetric::slope, 2.5, 0.01};
+  list.add(steep, mesh);
+  list.set_unit(LengthUnit::mm);
+  EXPECT_EQ(list.label(list.all()[0]), "3 mm, slope penalty 2.5, gap 0.01");
+  EXPECT_EQ(list.row(list.all()[0])[5], "straight 2.236, ratio 1.342; slope penalty 2.5, gap 0.01; exact");
 }
 
 TEST(Measurements, RowsHaveTheirValueWithItsUnitAndTheOtherQuantities) {
@@ -191,24 +239,91 @@ TEST(Measurements, CsvHasAllDigitsAColumnForEachQuantityAndThePoints) {
   Measurements list;
   list.add(over_a_corner(7), mesh);
   list.add(without_path(7), mesh);
-  list.add(triangle_area(), mesh);
+  Measurement area = triangle_area();
+  area.metric = {LayerMetric::slope, 0.5, 0.0};
+  list.add(area, mesh);
   list.rename(3, "neck, \"left\"");
   list.set_unit(LengthUnit::mm);
+  const Fingerprint known = fingerprint_of(mesh.positions, mesh.faces);
+  const std::string of_mesh = std::to_string(known.words[0]) + ' ' + std::to_string(known.words[1]);
   EXPECT_EQ(list.csv(),
-            "number,name,kind,layer,unit,method,edited_since,length,straight,ratio,area,perimeter,tape,"
-            "section,loop,radius,border,angle,points\n"
-            "1,distance 1,distance,layer 7,mm,exact,0,3,2.2360679774997898,1.3416407864998738,,,,,,,,,"
-            "0 0 0;2 1 0\n"
-            "2,distance 2,distance,layer 7,mm,exact,0,inf,2.2360679774997898,inf,,,,,,,,,0 0 0;2 1 0\n"
-            "3,\"neck, \"\"left\"\"\",polygon,layer 0,mm,exact,0,,,,12345.678,0.33333333333333331,,,,,,,"
-            "0 0 0;2 1 0;0.5 0.25 -1\n");
+            "number,name,kind,layer,unit,metric,weight,gap,method,edited_since,length,straight,ratio,area,"
+            "perimeter,tape,section,loop,radius,border,angle,points,mesh\n"
+            "1,distance 1,distance,layer 7,mm,Length,0,0,exact,0,3,2.2360679774997898,1.3416407864998738,"
+            ",,,,,,,,0 0 0;2 1 0," +
+                of_mesh +
+                "\n2,distance 2,distance,layer 7,mm,Length,0,0,exact,0,inf,2.2360679774997898,inf,"
+                ",,,,,,,,0 0 0;2 1 0," +
+                of_mesh +
+                "\n3,\"neck, \"\"left\"\"\",polygon,layer 0,mm,Slope penalty,0.5,0,exact,0,,,,12345.678,"
+                "0.33333333333333331,,,,,,,0 0 0;2 1 0;0.5 0.25 -1," +
+                of_mesh + "\n");
+}
+
+TEST(Measurements, CsvIsReadAgain) {
+  Measurements list;
+  list.add(over_a_corner(7), mesh);
+  list.add(without_path(7), mesh);
+  Measurement area = triangle_area();
+  area.metric = {LayerMetric::curvature, -1.0 / 3.0, 0.25};
+  list.add(area, mesh);
+  list.rename(3, "neck, \"left\"");
+  list.set_unit(LengthUnit::mm);
+  Measurements other;
+  const auto layer_of = [](const std::string& name) { return name == "layer 7" ? 2 : -1; };
+  other.add_csv(list.csv(), layer_of);
+  EXPECT_EQ(other.csv(), list.csv());
+  EXPECT_EQ(other.all()[0].layer, 2);
+  EXPECT_EQ(other.all()[2].layer, -1);
+  EXPECT_TRUE(other.all()[0].lacks_lines());
+  EXPECT_FALSE(other.all()[1].lacks_lines());  // it has none
+  other.replace(1, over_a_corner(2), mesh);
+  EXPECT_FALSE(other.all()[0].lacks_lines());
+  other.add_csv(list.csv(), layer_of);
+  ASSERT_EQ(other.all().size(), 6U);
+  EXPECT_EQ(other.all()[5].number, 6);
+  other.undo();
+  EXPECT_EQ(other.all().size(), 3U);
+  other.undo();  // of the first import: lines are no change
+  EXPECT_TRUE(other.all().empty());
+}
+
+TEST(Measurements, CsvFilesOfAnotherKindChangeNothingAndNameTheLine) {
+  Measurements list;
+  list.add(over_a_corner(7), mesh);
+  list.set_unit(LengthUnit::mm);
+  const std::string good = list.csv();
+  const auto sentence_of_import = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    text.replace(text.find(from), from.size(), to);
+    return sentence_of([&] { list.add_csv(text, [](const std::string&) { return 0; }); });
+  };
+  EXPECT_NE(sentence_of_import(good, "x,y\n1,2\n").find("no columns kind and points"), std::string::npos);
+  EXPECT_NE(sentence_of_import(good, "").find("no columns kind and points"), std::string::npos);
+  EXPECT_NE(sentence_of_import(",0,3,", ",0,").find("Line 2 of the measurements has"), std::string::npos);
+  EXPECT_NE(sentence_of_import("mm", "cm").find("Line 2 of the measurements counts in cm"),
+            std::string::npos);
+  EXPECT_NE(sentence_of_import(";2 1 0", "").find("too few points"), std::string::npos);
+  for (const auto& [from, to] :
+       std::vector<std::pair<std::string, std::string>>{{"distance,layer", "way,layer"},
+                                                        {"mm", "ell"},
+                                                        {"Length", "Weight"},
+                                                        {"0,3,", "0,three,"},
+                                                        {";2 1 0", ";2 1"}}) {
+    EXPECT_NE(sentence_of_import(from, to).find("Line 2 of the measurements cannot be read: '"),
+              std::string::npos)
+        << to;
+  }
+  EXPECT_EQ(list.csv(), good);
 }
 
 TEST(Measurements, FilesAreReadAsTheyWereWritten) {
   Measurements list;
   list.add(over_a_corner(0), mesh);
   list.add(without_path(3), mesh);
-  list.add(triangle_area(), mesh);
+  Measurement area = triangle_area();
+  area.metric = {LayerMetric::face_quality, 0.0, 0.125};
+  list.add(area, mesh);
   list.add(triangle_area(), mesh);
   list.remove({4});
   list.rename(3, "  a name, \"with\" all ");
@@ -233,32 +348,32 @@ TEST(Measurements, FilesAreReadAsTheyWereWritten) {
     EXPECT_EQ(read.path.lines.segments, written.path.lines.segments);
     EXPECT_EQ(read.path.along, written.path.along);
     EXPECT_EQ(read.is_hidden, written.is_hidden);
+    EXPECT_EQ(read.metric, written.metric);
   }
-  other.compare(8, mesh);
+  compare(other, 8, mesh);
   EXPECT_FALSE(other.all()[1].is_of_another_mesh);
-  other.compare(8, triangle(2.0));
+  compare(other, 8, triangle(2.0));
   EXPECT_TRUE(other.all()[1].is_of_another_mesh);
   EXPECT_EQ(other.add(over_a_corner(0), mesh).number, 5);
 }
 
 TEST(Measurements, DamagedFilesChangeNothingAndNameTheLine) {
   Measurements list;
-  list.add(over_a_corner(0), mesh);
+  Measurement steep = over_a_corner(0);
+  steep.metric = {LayerMetric::slope, 1.0, 0.0};
+  list.add(steep, mesh);
   const std::string text = list.text();
-  const auto sentence_of = [&](const std::string& damaged) -> std::string {
-    try {
-      list.read(damaged, [](const std::string&) { return 0; });
-    } catch (const InvalidInput& error) {
-      return error.what();
-    }
-    return {};
+  const auto sentence_of_reading = [&](const std::string& damaged) {
+    return sentence_of([&] { list.read(damaged, [](const std::string&) { return 0; }); });
   };
-  EXPECT_NE(sentence_of("").find("does not begin with 'VoroGeo measurements 1'"), std::string::npos);
+  EXPECT_NE(sentence_of_reading("").find("does not begin with 'VoroGeo measurements 1'"), std::string::npos);
   const std::vector<std::pair<std::string, std::string>> spoilt = {{"unit model", "unit ell"},
                                                                    {"distance exact", "dance exact"},
                                                                    {"value length 3", "value length x"},
                                                                    {"value length", "value"},
                                                                    {"point 0 0 0", "point 0 0"},
+                                                                   {"Slope penalty", "Slope"},
+                                                                   {"metric 1", "metric one"},
                                                                    {"segment 1 2", "segment 1 3"},
                                                                    {"last 1", "last"},
                                                                    {"measurement 1", "measurement none 1"},
@@ -267,14 +382,15 @@ TEST(Measurements, DamagedFilesChangeNothingAndNameTheLine) {
     std::string damaged = text;
     ASSERT_NE(text.find(good), std::string::npos) << good;
     damaged.replace(text.find(good), good.size(), bad);
-    EXPECT_NE(sentence_of(damaged).find("of the measurements cannot be read: '"), std::string::npos) << bad;
+    EXPECT_NE(sentence_of_reading(damaged).find("of the measurements cannot be read: '"), std::string::npos)
+        << bad;
   }
   std::string without_point = text;
   const std::string first_point = "point 0 0 0\n";
   without_point.erase(without_point.find(first_point), first_point.size());
-  EXPECT_NE(sentence_of(without_point).find("Measurement 1 has too few points"), std::string::npos);
+  EXPECT_NE(sentence_of_reading(without_point).find("Measurement 1 has too few points"), std::string::npos);
   EXPECT_EQ(list.text(), text);
-  EXPECT_EQ(sentence_of(text), "");
+  EXPECT_EQ(sentence_of_reading(text), "");
 }
 
 TEST(Measurements, LinesOfALayerFollowOneAnother) {

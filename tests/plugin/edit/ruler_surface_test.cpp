@@ -7,7 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
+#include "mesh/metric.h"
 #include "support/gaps.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
@@ -53,9 +56,10 @@ TEST(RulerSurface, PathsOfAPlateAreStraightWithAndWithoutAnIndex) {
   const Picked to{{3.4, 2.7, 0.0}, tolerance};
   const double expected = std::hypot(3.4 - 0.31, 2.7 - 0.22);
   for (AnswerMethod how : {AnswerMethod::exact, AnswerMethod::index}) {
+    EXPECT_EQ(surface.measure(MeasureKind::distance, {from, to}, false).how, how);
     const RulerAnswer answer = surface.measure(MeasureKind::distance, {from, to});
     EXPECT_TRUE(answer.is_on_surface);
-    EXPECT_EQ(answer.how, how);
+    EXPECT_EQ(answer.how, AnswerMethod::exact);
     ASSERT_EQ(answer.values.size(), 3U);
     EXPECT_NEAR(value_of(answer, Quantity::length), expected, 1e-9);
     EXPECT_NEAR(value_of(answer, Quantity::straight), expected, 1e-9);
@@ -79,6 +83,32 @@ TEST(RulerSurface, PlacesBesideTheSurfaceAreNoEnds) {
   EXPECT_EQ(clicked.points.size(), 2U);
   EXPECT_NEAR(value_of(clicked, Quantity::length), 0.4, 1e-9);
   EXPECT_FALSE(surface.measure(MeasureKind::path, {above}, false).is_on_surface);
+}
+
+TEST(RulerSurface, PointsSnapToCornersSidesAndTheBorder) {
+  const test::Soup plate = test::plane_grid(4, 4, 1.0, 1.0).soup;
+  RulerSurface surface(layer_of(plate));
+  const Point at{0.55, 0.62, 0.0};
+  const auto snapped = [&](SnapTo to) {
+    const RulerAnswer answer = surface.measure(MeasureKind::path, {{at, tolerance, to}}, false);
+    EXPECT_EQ(answer.error, "");
+    return answer.points.at(0);
+  };
+  EXPECT_NEAR(distance_between(snapped(SnapTo::free), at), 0.0, 1e-9);
+  const Point vertex = snapped(SnapTo::vertex);
+  EXPECT_EQ(std::ranges::count(plate.positions, vertex), 1);
+  EXPECT_LE(distance_between(vertex, at), 0.25);
+  // Sides of the cells of a quarter, and one diagonal of each: the nearest of the face's three.
+  const Point edge = snapped(SnapTo::edge);
+  const auto is_on_grid = [](double x) { return std::abs(4.0 * x - std::round(4.0 * x)) < 1e-9; };
+  EXPECT_TRUE(is_on_grid(edge[0]) || is_on_grid(edge[1]) || is_on_grid(edge[0] - edge[1]) ||
+              is_on_grid(edge[0] + edge[1]));
+  EXPECT_LE(distance_between(edge, at), 0.05 + 1e-9);  // of the side at 0.5
+  EXPECT_NEAR(distance_between(snapped(SnapTo::border), {0.55, 1.0, 0.0}), 0.0, 1e-9);
+  RulerSurface closed(layer_of(test::icosphere(1)));
+  const Picked pole{{0.0, 0.0, 1.0}, 0.1, SnapTo::border};
+  EXPECT_NE(closed.measure(MeasureKind::path, {pole}, false).error.find("no border"), std::string::npos);
+  EXPECT_NE(closed.field(pole).error.find("no border"), std::string::npos);
 }
 
 TEST(RulerSurface, NoPathToAnotherComponent) {
@@ -190,6 +220,32 @@ TEST(RulerSurface, APathComesAsALineOfItsLength) {
   EXPECT_NEAR(found.lines.lines.length(), 1.0, 1e-12);
   EXPECT_NEAR(found.lines.along.back(), 1.0, 1e-12);
   EXPECT_GT(found.seconds, 0.0);
+}
+
+TEST(RulerSurface, CostsOfFacesRefractPathsAndHaveNoLoopsOrAngles) {
+  const test::Soup tube = test::prism(12, 1, 6, 0.5, 3.0).soup;
+  VcgMeshArrays arrays = arrays_of(tube);
+  std::vector<double> costs(tube.faces.size(), 2.0);
+  arrays.metric = {sides_by_face_cost(tube.positions, tube.faces, costs), usual_edge_points};
+  const RulerMetric metric{LayerMetric::face_quality};
+  LayerMeasure measure;
+  measure.metric = metric.metric;
+  const Point low = tube.positions[0];
+  const Point high{low[0], low[1], low[2] + 3.0};
+  RulerSurface even(std::make_shared<LayerSurface>(arrays, measure), metric);
+  const RulerAnswer answer = even.measure(MeasureKind::distance, picked({low, high}));
+  EXPECT_EQ(answer.error, "");
+  EXPECT_EQ(answer.metric, metric);
+  EXPECT_NEAR(value_of(answer, Quantity::length), 6.0, 1e-6);
+  EXPECT_NEAR(value_of(answer, Quantity::straight), 3.0, 1e-6);
+  costs[0] = 3.0;
+  arrays.metric = {sides_by_face_cost(tube.positions, tube.faces, costs), usual_edge_points};
+  RulerSurface jumping(std::make_shared<LayerSurface>(arrays, measure), metric);
+  EXPECT_EQ(jumping.measure(MeasureKind::distance, picked({low, high})).error, "");
+  for (const auto& [kind, points] : {std::pair{MeasureKind::loop, picked({low})},
+                                     std::pair{MeasureKind::angle, picked({low, high, tube.positions[5]})}}) {
+    EXPECT_NE(jumping.measure(kind, points).error, "") << name_of(kind);
+  }
 }
 
 // ---- Other kinds than distances
