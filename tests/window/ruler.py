@@ -72,13 +72,35 @@ class RulerWindow(MeshLabWindow):
             run("xdotool", "click", "--repeat", str(count), "--delay", "80", "1")
             time.sleep(0.7)  # no double click with the next one
 
+    def hold(self, *places: Place) -> None:
+        """Press at the first place, move over the others, and hold the button."""
+        run("xdotool", "mousemove", *self.pixel(places[0]), "sleep", "0.2", "mousedown", "1", "sleep", "0.3")
+        for place in places[1:]:
+            run("xdotool", "mousemove", *self.pixel(place), "sleep", "0.7")
+
+    def let_go(self) -> None:
+        """Release the button."""
+        run("xdotool", "mouseup", "1", "sleep", "0.7")
+
+    def choices(self) -> list[Atspi.Accessible]:
+        """The lists of the dock: kind, unit, where points snap, metric."""
+        return self.find(Atspi.Role.COMBO_BOX, top=self.dock())
+
+    def number(self, name: str) -> Atspi.Accessible:
+        """The field of the dock for a number."""
+        return self.find(Atspi.Role.TEXT, name, self.dock())[0]
+
     def choose_kind(self, kind: str) -> None:
         """Choose what is measured next."""
-        self.choose(self.find(Atspi.Role.COMBO_BOX, top=self.dock())[0], kind)
+        self.choose(self.choices()[0], kind)
 
     def choose_unit(self, unit: str) -> None:
         """Choose what coordinates count in."""
-        self.choose(self.find(Atspi.Role.COMBO_BOX, top=self.dock())[1], unit)
+        self.choose(self.choices()[1], unit)
+
+    def choose_metric(self, metric: str) -> None:
+        """Choose what paths cost."""
+        self.choose(self.choices()[3], metric)
 
     def cell(self, text: str) -> Atspi.Accessible:
         """The cell of the table with this text."""

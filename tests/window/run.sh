@@ -60,13 +60,13 @@ for version in "${versions[@]}"; do
     continue
   fi
   # What is refused, edited and scripted is the same code under both versions; starting, dialogs and loading are not.
-  scripts=(scenario ruler ruler_layer ruler_table loading extra_folder)
-  judges=(tests/window/test_{window,ruler,ruler_table,loading}.py)
+  scripts=(scenario ruler ruler_layer ruler_table ruler_choices loading extra_folder)
+  judges=(tests/window/test_{window,ruler,ruler_table,ruler_choices,loading}.py)
   if [ -n "$zip" ]; then
     scripts=(scenario loading)
     judges=(tests/window/test_{window,loading}.py -k "not one_user")
   elif [ "$version" = 2025.07 ]; then
-    scripts=(scenario refusals filter_script edits ruler ruler_layer ruler_table loading extra_folder)
+    scripts=(scenario refusals filter_script edits ruler ruler_layer ruler_table ruler_choices loading extra_folder)
     judges=(tests/window)
   fi
   say "driving MeshLab (pictures: $folder/seen/shots)"

@@ -173,10 +173,10 @@ def test_drags_show_many_paths_a_second(seen):
 
 def test_the_index_is_built_on_the_side_and_not_used_after_an_edit(seen):
     assert seen["status exact"].startswith("Paths: exact, without an index. Distances: exact.")
-    assert seen["status with index"].startswith("Paths: refined, from the index. Distances: index.")
+    assert seen["status with index"].startswith("Paths: from the index, exact at the end. Distances: index.")
     assert seen["status edited"].startswith("Paths: exact, without an index.")
     methods = {row[5].partition("; ")[2] for row in seen["tables"]["large edited"]}
-    assert methods == {"exact, before an edit", "refined, before an edit"}
+    assert methods == {"exact, before an edit"}
 
 
 def test_quitting_while_the_index_is_built_leaves_nothing_running(seen):
