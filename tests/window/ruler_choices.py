@@ -36,7 +36,6 @@ class RulerChoices(Script):
         self.weigh_by_slope()
         self.back_out()
         self.preview()
-        self.take_a_snapshot()
         self.save_and_open()
 
     def distance(self, *places: Place) -> None:
@@ -120,9 +119,6 @@ class RulerChoices(Script):
                 self.window.press(self.window.dock(), *self.window.buttons("Prepare"))
                 self.window.wait_for_line("the index was built", already)
         wait_for("the end of the drag", lambda: self.window.status().startswith("Paths"))
-
-    def take_a_snapshot(self) -> None:
-        """A picture of the scene by MeshLab itself."""
 
     def save_and_open(self) -> None:
         """The table from its CSV file; the rows of the other layer once that is current."""
