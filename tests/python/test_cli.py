@@ -210,6 +210,11 @@ def test_the_default_name_is_made_of_mesh_and_command(mesh, capsys):
         (["loop", "plane.off", "--curve", "0", "1", "14"], 1, "slips off: pulled tight, it contracts to a point"),
         (["girth", "plane.off", "--at", "70"], 1, "is not closed: it meets the border at the edge between"),
         (["girth", "plane.off", "--at", "70", "--normal", "0,1"], 2, "'0,1' is not a vector x,y,z"),
+        (["area", "plane.off", "--radius", "1"], 1, "--from: is missing; name points, or one of --curve"),
+        (["area", "plane.off", "--from", "0"], 1, "--radius: is missing; give how far"),
+        (["area", "plane.off", "--from", "0", "--inside", "0", "1"], 2, "not allowed with argument --from"),
+        (["area", "plane.off", "--regions", "no.npy"], 1, "--regions no.npy: there is no such file"),
+        (["through", "plane.off", "--points", "0", "0.5,0.5,1", "--max-snap", "0.1"], 1, "away from the surface"),
         (["polygon", "plane.off", "--points", "0", "142", "12", "130"], 1, "of the polygon cross or touch"),
         (["polygon", "plane.off", "--hull", "--points", "0", "1", "2"], 1, "The points lie on one line"),
         (["cut", "plane.off"], 1, "--points: is missing; name points to cut along"),
@@ -250,7 +255,16 @@ def test_measures_of_a_plane(mesh, tmp_path, capsys):
     assert printed("through", mesh, "--points", "0", "15", "142", "--guides") == pytest.approx([np.hypot(1.2, 1)])
     circle = printed("area", mesh, "--from", "0.6,0.5,0", "--radius", "0.3")
     assert circle == pytest.approx([np.pi * 0.09, np.pi * 0.6], rel=1e-3)
+    band = printed("area", mesh, "--curve", "0.4,0.5,0", "0.8,0.5,0", "--radius", "0.2")
+    assert band == pytest.approx([0.4 * 0.4 + np.pi * 0.04, 0.8 + np.pi * 0.4], rel=2e-3)
     corners = ["0.1,0.1,0", "1.1,0.1,0", "1.1,0.8,0", "0.1,0.8,0"]
+    assert printed("area", mesh, "--inside", *corners) == pytest.approx([0.7, 3.4])
+    np.save("halves.npy", (VERTICES[FACES][:, :, 0].mean(axis=1) > 0.5).astype(float))
+    assert main(["area", mesh, "--regions", "halves.npy", "--out", "r.csv", "--quiet"]) == 0
+    assert Path("r.csv").read_text().splitlines()[0] == "area,border_length,volume"
+    np.testing.assert_allclose(np.loadtxt("r.csv", delimiter=",", skiprows=1)[:, :2], [[0.5, 3.0], [0.7, 3.4]])
+    apart = printed("sets", mesh, "--from", "0", "12", "--to", "142", "130")
+    assert apart == pytest.approx([1, 1, 1])
     assert printed("polygon", mesh, "--points", *corners) == pytest.approx([0.7, 3.4])
     assert printed("polygon", mesh, "--hull", "--points", corners[2], "0.5,0.5,0", *corners) == pytest.approx(
         [0.7, 3.4]
@@ -328,6 +342,7 @@ def test_program_and_module_are_one(mesh):
             "loop",
             "girth",
             "area",
+            "sets",
             "polygon",
             "profile",
             "cut",

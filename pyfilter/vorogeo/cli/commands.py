@@ -14,6 +14,11 @@ from ..results import GeodesicPath
 from .comparison import compare
 from .job import Command, MeshTask, surface_area
 from .outputs import Result, format_of
+from .sources import values_in
+
+_POINTS_IN_RADIUS = 20
+"""Of a curve around which an area lies: the border then has dents of 1 / 3200 of the radius."""
+_MOST_POINTS = 10**6
 
 
 def field(task: MeshTask) -> Result:
@@ -183,11 +188,52 @@ def _of_measures(result: Result, values: dict[str, float]) -> Result:
 
 
 def area(task: MeshTask) -> Result:
-    """The area within a radius of points and the length of its border."""
-    found = task.surface.band(task.points("from"), task.options["radius"], method=task.method, progress=task.progress)
-    measures = {"area": found.area, "border_length": found.border_length}
+    """The area near points or a curve, inside a curve or of each region, and the length of its border."""
+    how: dict[str, Any] = {"method": task.method, "progress": task.progress}
+    if task.options.get("regions"):
+        return _areas_of_regions(task, task.options["regions"])
+    if task.options.get("inside"):
+        curve = task.surface.path_through(task.points("inside"), closed=True, **how)
+        inside: Any = task.surface.area(inside=curve, progress=task.progress)
+        return _table(task, {"area": inside.area, "border_length": inside.border_length})
+    sources, radius = task.options.get("from") and task.points("from"), task.options.get("radius")
+    if radius is None:
+        raise InvalidInput("--radius: is missing; give how far from --from or --curve, or name --inside or --regions.")
+    if task.options.get("curve"):
+        path = task.surface.path_through(task.points("curve"), closed=bool(task.options.get("closed")), **how)
+        steps = min(_POINTS_IN_RADIUS * path.length / radius, _MOST_POINTS) if radius > 0 else 1
+        sources = task.surface.points_along(path, np.linspace(0, 1, int(np.ceil(steps)) + 1))
+    if sources is None:
+        raise InvalidInput("--from: is missing; name points, or one of --curve, --inside and --regions.")
+    found = task.surface.band(sources, radius, **how)
+    return _table(task, {"area": found.area, "border_length": found.border_length})
+
+
+def _areas_of_regions(task: MeshTask, file: str) -> Result:
+    values = values_in("--regions", file)
+    label = values.astype(np.int64) if np.array_equal(values, np.round(values)) else values
+    name = "vertices" if len(label) == len(task.vertices) else "faces"
+    found: Any = task.surface.area(**{name: label}, progress=task.progress)
+    columns = ["area", "border_length", "volume"]
+    rows = np.array([[one.area, one.border_length, one.volume] for one in found]).reshape(-1, 3)
+    text = "\n".join(" ".join(f"{value:.12g}" for value in row) for row in rows.tolist())
+    summary = {column: rows[:, k] for k, column in enumerate(columns)}
+    return Result("measures", {"measures": rows}, task.shown_mesh, text=text, summary=summary, columns=columns)
+
+
+def _table(task: MeshTask, measures: dict[str, float]) -> Result:
+    """A row of measures."""
     row = np.array([list(measures.values())])
     return _of_measures(Result("measures", {"measures": row}, task.shown_mesh, columns=list(measures)), measures)
+
+
+def sets(task: MeshTask) -> Result:
+    """How far two sets of points are apart."""
+    first, second = task.points("from"), task.points("to")
+    found = task.surface.set_distances(first, second, method=task.method, progress=task.progress)
+    result = _table(task, {"nearest": found.nearest, "mean": found.mean, "hausdorff": found.hausdorff})
+    result.arrays |= {"to_second": found.to_second, "to_first": found.to_first}
+    return result
 
 
 def polygon(task: MeshTask) -> Result:
@@ -283,6 +329,7 @@ COMMANDS: dict[str, Command] = {
     "loop": loop,
     "girth": girth,
     "area": area,
+    "sets": sets,
     "polygon": polygon,
     "profile": profile,
     "cut": cut,

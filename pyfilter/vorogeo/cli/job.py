@@ -21,7 +21,7 @@ from ..surface import GeodesicIndex, Surface
 from .sources import metric_of, points_of
 
 #: Of few fields: `Surface` itself decides whether an index pays.
-_WITHOUT_INDEX = ("through", "loop", "girth", "area", "polygon", "profile", "cut")
+_WITHOUT_INDEX = ("through", "loop", "girth", "area", "sets", "polygon", "profile", "cut")
 
 
 @dataclass(frozen=True)
@@ -118,7 +118,8 @@ class MeshTask:
 
     def points(self, option: str) -> Points:
         """The points of an option such as ``--from``."""
-        return points_of(f"--{option}", self.options[option], lambda where: self.surface.snap(where), self.scale)
+        limit = self.options.get("max_snap")
+        return points_of(f"--{option}", self.options[option], lambda where: self.surface.snap(where, limit), self.scale)
 
     @property
     def shown_mesh(self) -> tuple[NDArray[Any], NDArray[Any]]:

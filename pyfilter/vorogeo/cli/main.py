@@ -16,7 +16,7 @@ from .job import Job
 from .options import parser
 from .worker import failure, run
 
-_PRINTED = ("distance", "path", "through", "loop", "girth", "area", "polygon", "compare", "info")
+_PRINTED = ("distance", "path", "through", "loop", "girth", "area", "sets", "polygon", "compare", "info")
 _ENDINGS = {"index": ".vgi", "neighbours": ".npz", "profile": ".csv", "cut": ".ply"}
 _NOT_IN_JOBS = ("command", "mesh", "out", "format", "jobs", "scheduler", "overwrite", "quiet", "version")
 

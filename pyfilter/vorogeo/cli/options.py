@@ -188,9 +188,27 @@ _COMMANDS: dict[str, tuple[str, str, _Options]] = {
         ),
     ),
     "area": (
-        "Area within a radius of points and the length of its border; without --out they are printed.",
-        "--from POINT... --radius L",
-        (_SOURCES, _option("--radius L", "in the unit of the mesh", required=True)),
+        "Area near points or a curve, inside a curve or of regions, and the length of its border; without --out they "
+        "are printed.",
+        "",
+        (
+            [
+                _option("--from POINT", "the points, with --radius"),
+                _option("--curve POINT", "in order; with --radius, the path through them"),
+                _option("--inside POINT", "in order; the path through them and back to the first"),
+                _option("--regions FILE", "of each vertex or face the number of its region (.npy, .txt, .csv, GIFTI)"),
+            ],
+            _option("--radius L", "how far, in the unit of the mesh"),
+            _option("--closed", "the curve leads back to the first point"),
+        ),
+    ),
+    "sets": (
+        "Nearest, mean and Hausdorff distance of two sets of points; without --out they are printed.",
+        "--from POINT... --to POINT...",
+        (
+            _option("--from POINT", "the first set", required=True),
+            _option("--to POINT", "the second set", required=True),
+        ),
     ),
     "polygon": (
         "Area and perimeter of a polygon of shortest paths; without --out they are printed.",
@@ -255,6 +273,7 @@ _COMMON: _Options = (
         "--mask FILE",
         "what belongs to the surface: labels, an annotation, GIFTI or .npy, with a value for each vertex",
     ),
+    _option("--max-snap L", "how far a position may be from the surface, or it is an error; default: any distance"),
     _option("--gap L", "bridge gaps up to this width, in the unit of --normalise; default 0: none", default=0.0),
     [
         _option(

@@ -65,6 +65,14 @@ def numbers_in(file: str | Path) -> NDArray[Any]:
         raise InvalidInput(f"{path}: is no table of numbers ({error}); give rows of equal length.") from None
 
 
+def values_in(name: str, file: str) -> NDArray[Any]:
+    """What an array, a table or a file of values of vertices holds; a column is a list."""
+    if not os.path.isfile(file):
+        raise InvalidInput(f"{name} {file}: there is no such file.")
+    values = numbers_in(file) if file.lower().endswith(_TABLES) else vertex_values(file)[0]
+    return values[:, 0] if values.ndim == 2 and values.shape[1] == 1 else values
+
+
 def metric_of(options: dict[str, Any], vertices: NDArray[np.float64], faces: NDArray[np.int32]) -> Metric | None:
     """What paths cost on this mesh; None is their length."""
     if options.get("metric"):
@@ -77,11 +85,7 @@ def metric_of(options: dict[str, Any], vertices: NDArray[np.float64], faces: NDA
 
 
 def _metric_from_file(file: str, count: int, face_count: int) -> Metric:
-    if not os.path.isfile(file):
-        raise InvalidInput(f"--metric {file}: there is no such file.")
-    values = numbers_in(file) if file.lower().endswith(_TABLES) else vertex_values(file)[0]
-    if values.ndim == 2 and values.shape[1] == 1:
-        values = values[:, 0]
+    values = values_in("--metric", file)
     if values.shape == (count,):
         return VertexCost(values)
     if values.shape == (count, 3, 3):
