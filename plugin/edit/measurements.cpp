@@ -335,9 +335,20 @@ class Words {
     is_good_ = is_good_ && error == std::errc() && end == next.data() + next.size();
     return value;
   }
+  /// By a stream, which knows no infinity: in libstdc++ 10, `std::from_chars` reads no doubles.
+  double real() {
+    const std::string next = word();
+    if (next == "inf") return unreachable;
+    std::istringstream text(next);
+    text.imbue(std::locale::classic());
+    double value = 0.0;
+    text >> value;
+    is_good_ = is_good_ && !text.fail() && text.eof();
+    return value;
+  }
   Point point() {
     Point found{};
-    for (double& coordinate : found) coordinate = number<double>();
+    for (double& coordinate : found) coordinate = real();
     return found;
   }
   std::string rest() {
@@ -364,20 +375,20 @@ bool read_line(const std::string& line, Measurement& m) {
   } else if (what == "layer") {
     m.layer_name = words.rest();
   } else if (what == "metric") {
-    m.metric.weight = words.number<double>();
-    m.metric.gap = words.number<double>();
+    m.metric.weight = words.real();
+    m.metric.gap = words.real();
     const std::size_t metric = position_in(metric_names, words.rest());
     m.metric.metric = static_cast<LayerMetric>(metric);
     return words.is_good() && metric < metric_names.size();
   } else if (what == "value") {
     const std::size_t quantity = position_in(quantity_names, words.word());
-    m.values.push_back({static_cast<Quantity>(quantity), words.number<double>()});
+    m.values.push_back({static_cast<Quantity>(quantity), words.real()});
     return words.is_good() && quantity < quantity_names.size();
   } else if (what == "point") {
     m.points.push_back(words.point());
   } else if (what == "vertex") {
     m.path.lines.points.push_back(words.point());
-    m.path.along.push_back(words.number<double>());
+    m.path.along.push_back(words.real());
   } else if (what == "segment") {
     const auto a = words.number<Index>();
     const auto b = words.number<Index>();
@@ -452,7 +463,7 @@ bool read_cell(const std::string& column, const std::string& text, Measurement& 
     m.metric.metric = static_cast<LayerMetric>(metric);
     return metric < metric_names.size();
   } else if (column == "weight" || column == "gap") {
-    (column == "gap" ? m.metric.gap : m.metric.weight) = words.number<double>();
+    (column == "gap" ? m.metric.gap : m.metric.weight) = words.real();
     return words.is_at_end();
   } else if (column == "mesh") {
     for (std::uint64_t& word : m.mesh.words) word = words.number<std::uint64_t>();
@@ -466,7 +477,7 @@ bool read_cell(const std::string& column, const std::string& text, Measurement& 
     }
   } else if (const std::size_t quantity = position_in(quantity_names, column);
              quantity < quantity_names.size() && !text.empty()) {
-    m.values.push_back({static_cast<Quantity>(quantity), words.number<double>()});
+    m.values.push_back({static_cast<Quantity>(quantity), words.real()});
     return words.is_at_end();
   }
   return true;

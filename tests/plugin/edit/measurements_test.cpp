@@ -374,6 +374,7 @@ TEST(Measurements, DamagedFilesChangeNothingAndNameTheLine) {
                                                                    {"point 0 0 0", "point 0 0"},
                                                                    {"Slope penalty", "Slope"},
                                                                    {"metric 1", "metric one"},
+                                                                   {"point 0 0 0", "point 0 0 0,5"},
                                                                    {"segment 1 2", "segment 1 3"},
                                                                    {"last 1", "last"},
                                                                    {"measurement 1", "measurement none 1"},
