@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # Sets up everything the samples and tests need. Run it as often as you like: finished steps are skipped.
 #
-# Usage: samples/setup.sh [--tests | --daily | --bench]
+# Usage: samples/setup.sh [--numpy | --tests | --daily | --bench]
 #   Debian packages (only missing ones; asks for nothing, uses sudo if you are not root), .venv with the Python
 #   packages of samples/requirements.txt, the core in build/core, around it the plugin for PyMeshLab 2025.7 in
 #   build/plugin-2025.07-double, and the Python package vorogeo in .venv.
-#   --tests: also what only the tests need: GoogleTest, debootstrap, Maven, and PyMeshLab 2022.2 and 2023.12 in build/venv-2022
+#   --numpy: all but the plugin and what only it needs: half of the time. A package with the plugin stays.
+#   --tests: also what only the tests need: tests/requirements.txt, GoogleTest, debootstrap, Maven, and PyMeshLab 2022.2 and 2023.12 in build/venv-2022
 #   and build/venv-2023 with their plugins and vorogeo. The core is then that of the C++ tests, in build/release. 2023.12 is
 #   left out where the headers of MeshLab 2023.12 cannot be had; build/logs/headers-2023.12.log has the reason.
 #   --daily: as --tests, without the older PyMeshLab versions and Maven.
@@ -16,15 +17,17 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
+with_plugin=yes
 with_tests=no
 with_older=no
 for_bench=no
 for argument in "$@"; do
   case "$argument" in
+    --numpy) with_plugin=no ;;
     --tests) with_tests=yes with_older=yes ;;
     --daily) with_tests=yes ;;
     --bench) for_bench=yes ;;
-    *) echo "samples/setup.sh: unknown argument '$argument'; usage: samples/setup.sh [--tests | --daily | --bench]" >&2; exit 2 ;;
+    *) echo "samples/setup.sh: unknown argument '$argument'; usage: samples/setup.sh [--numpy | --tests | --daily | --bench]" >&2; exit 2 ;;
   esac
 done
 
@@ -55,10 +58,11 @@ once() {
   echo "$input" >"$stamp"
 }
 
-packages=(g++ cmake ninja-build git ca-certificates xz-utils debian-archive-keyring
-          python3 python3-venv python3-dev
-          qtbase5-dev libqt5opengl5-dev libeigen3-dev libglew-dev
+packages=(g++ cmake ninja-build ca-certificates python3 python3-venv python3-dev libeigen3-dev
           libgl1 libopengl0 libegl1 libglu1-mesa libgomp1 libxrender1)
+if [ "$with_plugin" = yes ]; then
+  packages+=(git xz-utils debian-archive-keyring qtbase5-dev libqt5opengl5-dev libglew-dev)
+fi
 if [ "$with_tests" = yes ]; then
   packages+=(libgtest-dev clang-format g++-aarch64-linux-gnu debootstrap)
 fi
@@ -109,7 +113,7 @@ python_version="$("$python" -c 'import sys; print(".".join(map(str, sys.version_
 make_venv() {
   rm -rf "$1"
   "$python" -m venv "$1"
-  "$1/bin/pip" install --disable-pip-version-check -r "$2"
+  "$1/bin/pip" install --disable-pip-version-check --no-compile -r "$2"  # Python compiles what is imported
 }
 venv() { once "$1" "$2/.stamp" "$python_version $(sha256sum <"$3")" make_venv "$2" "$3"; }
 
@@ -159,7 +163,10 @@ install_vorogeo() {
     "--config-settings=cmake.define.VOROGEO_CORE_LIBRARY=$3" "--config-settings=cmake.define.VOROGEO_HOSTS=$2" ./pyfilter &&
     "$1/bin/pip" install --disable-pip-version-check --no-deps --force-reinstall "$wheels"/*.whl
 }
-vorogeo() { once "vorogeo-$2" "$1/.stamp-vorogeo" "$(sources core plugin pyfilter)" install_vorogeo "$1" "$2" "$core_library" .venv; }
+# Usage: vorogeo VENV VERSION, which is empty for the numpy part
+vorogeo() {
+  once "vorogeo-${2:-numpy}" "$1/.stamp-vorogeo" "$2 $(sources core plugin pyfilter)" install_vorogeo "$1" "$2" "$core_library" .venv
+}
 
 # Usage: install_peers VENV REQUIREMENTS
 # A line each, so that one package that cannot be obtained does not prevent the others.
@@ -187,9 +194,25 @@ if [ "$for_bench" = yes ]; then
   exit
 fi
 
-venv venv .venv samples/requirements.txt
+python_packages() {
+  venv venv .venv samples/requirements.txt
+  if [ "$with_tests" = yes ]; then
+    local tools=tests/requirements.txt
+    once venv-tests .venv/.stamp-tests "$(cat "$tools" .venv/.stamp)" \
+      .venv/bin/pip install --disable-pip-version-check --no-compile -r "$tools"
+  fi
+}
+python_packages &  # downloads while the compiler works
+trap wait EXIT
 core
-plugin 2025.07
+[ "$with_plugin" = no ] || plugin 2025.07
+wait $!
+if [ "$with_plugin" = no ]; then
+  installed="$(cat .venv/.stamp-vorogeo 2>/dev/null || true)"
+  [ "${installed#* }" = "$(sources core plugin pyfilter)" ] || vorogeo .venv ""
+  say "ready, without the plugin"
+  exit
+fi
 vorogeo .venv 2025.07
 if [ "$with_tests" = yes ]; then
   peers=tests/requirements-peers.txt
