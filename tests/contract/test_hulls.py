@@ -39,7 +39,7 @@ def test_on_a_tube_it_is_that_of_the_unrolled_points(random: Rng) -> None:
     for _ in range(3):
         turn, height = random.uniform(0, 5.3, 25), random.uniform(0.5, 3.5, 25)  # of twelve sides
         corner, along = np.floor(turn), turn % 1
-        ends = [np.exp(2j * np.pi * (corner + k) / 12) for k in (0, 1)]
+        ends = [np.cos(angle) + 1j * np.sin(angle) for angle in (corner * np.pi / 6, (corner + 1) * np.pi / 6)]
         place = ends[0] * (1 - along) + ends[1] * along
         points = ask.surface(shape).snap(np.column_stack([place.real, place.imag, height]))
         found = ask.task("convex_hull", "exact", shape, points)

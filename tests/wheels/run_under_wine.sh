@@ -9,6 +9,6 @@ export WINEPREFIX=/opt/vorogeo-wine WINEDEBUG=-all
 cp -r /project/build/windows/python-3.11 /tmp/python
 cd /project
 python() { wine /tmp/python/python.exe "$@" </dev/null 2>&1 | cat; }  # wine cannot use files outside the root
-python -m pip install -q --no-index --no-warn-script-location --find-links build/windows/packages "build/wheels/dist/$wheel" pytest colorama meshio
+python -m pip install -q --no-index --no-warn-script-location --find-links build/windows/packages "build/wheels/dist/$wheel" scipy pytest colorama meshio
 python -c "import vorogeo; print(vorogeo.__version__, vorogeo.__file__)"
 python -m pytest -q -rs -p no:cacheprovider tests/wheels/test_systems.py tests/contract "$@"
