@@ -133,7 +133,7 @@ def test_bash_completes_commands_options_and_their_words(tmp_path):
     assert offered("matrix", "--method", "") == ["automatic", "pairs", "fields"]
     assert offered("sample", "a.ply", "--method", "p") == ["poisson"]
     assert offered("compare", "a.ply", "--methods", "h") == ["heat"]
-    assert offered("field", "a.ply", "--max") == ["--max-distance"]
+    assert offered("field", "a.ply", "--max") == ["--max-snap", "--max-distance"]
     assert offered("completion", "z") == ["zsh"]
     assert offered("field", "a.pl") == []  # files are for the shell
 

@@ -1,0 +1,67 @@
+"""The case of docs/measuring.md has the same numbers by script and by filters."""
+
+from __future__ import annotations
+
+import sys
+
+import numpy as np
+import pytest
+import vorogeo
+from support import (
+    AREA,
+    CUT_CURVE,
+    GIRTH,
+    PATH_THROUGH,
+    POLYGON,
+    PROJECT,
+    layer_count,
+    length,
+)
+
+sys.path.insert(0, str(PROJECT / "samples"))
+import measuring_case
+import mesh_input
+
+
+@pytest.fixture(scope="module")
+def script():
+    """What the script measures."""
+    ms = mesh_input.load(mesh_input.BUNNY)
+    mesh = ms.current_mesh()
+    surface = vorogeo.Surface(measuring_case.CENTIMETRES * mesh.vertex_matrix(), mesh.face_matrix())
+    return measuring_case.measure(surface)
+
+
+def on_layer(ms, number, name, **parameters):
+    """The filter, applied to this layer."""
+    ms.set_current_mesh(number)
+    return ms.apply_filter(name, **parameters)
+
+
+def test_filters_have_the_numbers_of_the_script(script):
+    ms = mesh_input.load(mesh_input.BUNNY)
+    ms.apply_filter(
+        "compute_matrix_from_scaling_or_normalization", axisx=measuring_case.CENTIMETRES, uniformflag=True, freeze=True
+    )
+    numbers = "; ".join(map(str, measuring_case.BACK.values()))
+    found = {"back line": on_layer(ms, 0, PATH_THROUGH, surface_points=numbers)["length"]}
+    found["its highest point"] = ms.current_mesh().vertex_matrix()[:, 1].max()
+    for part in ("neck", "ear"):
+        vertex, normal = getattr(measuring_case, part.upper())
+        girth = on_layer(ms, 0, GIRTH, vertex_index=vertex, normal=np.array(normal))
+        found[f"{part} by tape"] = girth["tape_length"]
+        found[f"{part} by section"] = girth["section_length"]
+        found[f"{part}, tightest loop"] = girth["loop_length"]
+    loop = layer_count(ms) - 2  # tape, loop and section are the new layers
+    thigh = on_layer(ms, 0, POLYGON, surface_points="; ".join(map(str, measuring_case.THIGH)))
+    found["thigh"], found["border of the thigh"] = thigh["area"], thigh["perimeter"]
+    disk = {"vertex_index": measuring_case.REPAIR, "radius": length(measuring_case.REACH), "exact": True}
+    found["retouched"] = on_layer(ms, 0, AREA, **disk)["area"]
+    assert on_layer(ms, 0, CUT_CURVE, curve_layer=loop)["parts"] == 2
+    areas = []
+    for part in (ms.mesh(layer_count(ms) - 1), ms.mesh(layer_count(ms) - 2)):
+        a, b, c = part.vertex_matrix()[part.face_matrix()].transpose(1, 0, 2)
+        areas.append(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2)
+    found["ear beyond its loop"] = min(areas)
+    for name, value, _ in script.table:
+        assert found[name] == pytest.approx(value, rel=1e-7), name
