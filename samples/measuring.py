@@ -57,8 +57,6 @@ landmarks = surface.sample_farthest(4, start=surface.extent().ends).vertices
 tour = surface.path_through(landmarks, closed=True)
 print(f"through {landmarks.tolist()} and back: {tour.length:.4g}, proven to be shortest: {tour.certified}")
 
-ends = np.cumsum([len(line.points) for line in lines])
-joints = np.setdiff1d(np.arange(ends[-1] - 1), ends - 1)  # each point is joined to the next of its line
-rings = vorogeo.Polylines(np.vstack([line.points for line in lines]), np.column_stack([joints, joints + 1]))
+rings = picture.joined(*(line.points for line in lines))
 values = surface.distance_field(int(surface.extent().ends[0]))
 picture.draw(out / "measuring.png", vertices, faces, values, lines=rings, points=spine.points[[0, -1]])

@@ -68,9 +68,7 @@ def draw(out: Path, surface: vorogeo.Surface, case: Case) -> None:
     import matplotlib.pyplot as plt
 
     lines = [case.back, case.neck.section, case.neck.loop, case.ear.section, case.ear.loop, *case.thigh.legs]
-    ends = np.cumsum([len(line.points) for line in lines])
-    joints = np.setdiff1d(np.arange(ends[-1] - 1), ends - 1)  # each point is joined to the next of its line
-    drawn = vorogeo.Polylines(np.vstack([line.points for line in lines]), np.column_stack([joints, joints + 1]))
+    drawn = picture.joined(*(line.points for line in lines))
     marks = surface.vertices[[*BACK.values(), *THIGH, REPAIR]]
     picture.draw(out / "measuring_case-lines.png", surface.vertices, surface.faces, lines=drawn, points=marks)
 

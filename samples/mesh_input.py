@@ -1,10 +1,11 @@
-"""Reads the mesh of a sample into PyMeshLab, or ends with a sentence that says why it cannot."""
+"""Reads the mesh of a sample into PyMeshLab, or ends with a sentence that says why it cannot; and ten points on it."""
 
 import sys
 from pathlib import Path
 
+import numpy as np
 import pymeshlab
-import vorogeo  # noqa: F401  (adds the VoroGeo filters to MeshSet)
+import vorogeo  # also adds the VoroGeo filters to MeshSet
 
 #: The real mesh that the pymeshlab package carries.
 BUNNY = Path(pymeshlab.__path__[0]) / "tests" / "sample_meshes" / "bunny.obj"
@@ -29,3 +30,11 @@ def load(file: str | Path) -> pymeshlab.MeshSet:
 def load_from_command_line() -> pymeshlab.MeshSet:
     """The mesh named by the first argument of the script, the bunny if there is none."""
     return load(sys.argv[1] if len(sys.argv) > 1 else BUNNY)
+
+
+def star_on(surface: vorogeo.Surface) -> vorogeo.SurfacePoints:
+    """Ten points as the corners of a star, by straight lines from its middle."""
+    size = np.ptp(surface.vertices, axis=0)
+    middle = surface.snap(surface.vertices.mean(axis=0) + size * [0.1, 0, 1])
+    turn, radius = 2 * np.pi * np.arange(10) / 10, size.max() * np.where(np.arange(10) % 2, 0.12, 0.3)
+    return surface.exp_map(middle, radius[:, None] * np.column_stack([np.cos(turn), np.sin(turn)]))

@@ -26,8 +26,6 @@ print(f"4 refined paths in {1e3 * (time.perf_counter() - start):.2f} ms: {[round
 exact = index.exact_path(ends[:4], ends[4:])
 print(f"longer than the exact ones by {max(p.length / q.length - 1 for p, q in zip(paths, exact, strict=True)):.1e}")
 
-ends_of = np.cumsum([len(p.points) for p in exact])
-joints = np.setdiff1d(np.arange(ends_of[-1] - 1), ends_of - 1)  # each point is joined to the next of its path
-lines = vorogeo.Polylines(np.vstack([p.points for p in exact]), np.column_stack([joints, joints + 1]))
+lines = picture.joined(*(p.points for p in exact))
 places = ends.positions(vertices, faces)
 picture.draw("samples/out/paths.png", vertices, faces, index.distance_field(ends), lines=lines, points=places)

@@ -4,7 +4,6 @@ Usage: python samples/splines.py [MESH]      (needs samples/setup.sh once; write
 """
 
 import mesh_input
-import numpy as np
 import picture
 import vorogeo
 
@@ -12,12 +11,7 @@ mesh_set = mesh_input.load_from_command_line()
 mesh = mesh_set.current_mesh()
 vertices, faces = mesh.vertex_matrix(), mesh.face_matrix()
 surface = vorogeo.Surface(vertices, faces)
-size = np.ptp(vertices, axis=0).max()
-middle = surface.snap(vertices.mean(axis=0) + np.ptp(vertices, axis=0) * [0.1, 0, 1])
-
-# A star of ten points, by straight lines from its middle.
-turn, radius = 2 * np.pi * np.arange(10) / 10, size * np.where(np.arange(10) % 2, 0.12, 0.3)
-star = surface.exp_map(middle, radius[:, None] * np.column_stack([np.cos(turn), np.sin(turn)]))
+star = mesh_input.star_on(surface)
 through = surface.spline(star, closed=True)
 print(f"{surface.last.seconds:.2f} s for a spline of length {through.length:.5g}")
 near = surface.b_spline(star, closed=True)

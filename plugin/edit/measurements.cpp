@@ -366,6 +366,20 @@ class Words {
   bool is_good_ = true;
 };
 
+/// \return whether there is such a kind.
+bool set_kind(Measurement& m, const std::string& name) {
+  const auto kind = std::ranges::find_if(kinds, [&](const KindOfMeasure& one) { return one.name == name; });
+  m.kind = static_cast<MeasureKind>(kind - kinds.begin());
+  return kind != kinds.end();
+}
+
+/// \return whether there is such a metric.
+bool set_metric(Measurement& m, const std::string& name) {
+  const std::size_t metric = position_in(metric_names, name);
+  m.metric.metric = static_cast<LayerMetric>(metric);
+  return metric < metric_names.size();
+}
+
 /// \return whether the line is one of a measurement.
 bool read_line(const std::string& line, Measurement& m) {
   Words words(line);
@@ -377,9 +391,8 @@ bool read_line(const std::string& line, Measurement& m) {
   } else if (what == "metric") {
     m.metric.weight = words.real();
     m.metric.gap = words.real();
-    const std::size_t metric = position_in(metric_names, words.rest());
-    m.metric.metric = static_cast<LayerMetric>(metric);
-    return words.is_good() && metric < metric_names.size();
+    const bool is_metric = set_metric(m, words.rest());
+    return words.is_good() && is_metric;
   } else if (what == "value") {
     const std::size_t quantity = position_in(quantity_names, words.word());
     m.values.push_back({static_cast<Quantity>(quantity), words.real()});
@@ -399,12 +412,6 @@ bool read_line(const std::string& line, Measurement& m) {
     return false;
   }
   return words.is_good();
-}
-
-bool set_kind(Measurement& m, const std::string& name) {
-  const auto kind = std::ranges::find_if(kinds, [&](const KindOfMeasure& one) { return one.name == name; });
-  m.kind = static_cast<MeasureKind>(kind - kinds.begin());
-  return kind != kinds.end();
 }
 
 /// \return whether the line begins a measurement.
@@ -459,9 +466,7 @@ bool read_cell(const std::string& column, const std::string& text, Measurement& 
     m.is_of_another_mesh = words.number<int>() != 0;
     return words.is_at_end();
   } else if (column == "metric") {
-    const std::size_t metric = position_in(metric_names, text);
-    m.metric.metric = static_cast<LayerMetric>(metric);
-    return metric < metric_names.size();
+    return set_metric(m, text);
   } else if (column == "weight" || column == "gap") {
     (column == "gap" ? m.metric.gap : m.metric.weight) = words.real();
     return words.is_at_end();

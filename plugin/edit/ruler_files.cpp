@@ -14,6 +14,18 @@
 
 namespace vorogeo::plugin {
 
+namespace {
+
+/// The whole text or nothing. \return why it could not be written; empty if it was.
+QString write_file(const QString& name, const std::string& text) {
+  QSaveFile file(name);
+  const QByteArray bytes = QByteArray::fromStdString(text);
+  if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit()) return {};
+  return file.errorString();
+}
+
+}  // namespace
+
 void RulerTool::copy() const {
   QApplication::clipboard()->setText(QString::fromStdString(measurements_->table()));
 }
@@ -28,12 +40,11 @@ void RulerTool::save() {
       mesh_file.dir().filePath(mesh_file.completeBaseName() + "_measurements.csv"),
       "Comma-separated values (*.csv)");
   if (name.isEmpty() || document_ == nullptr || document_->mm() != &layer) return;
-  QSaveFile file(name);
-  const QByteArray text = QByteArray::fromStdString(measurements_->csv());
-  if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit()) {
+  const QString why_not = write_file(name, measurements_->csv());
+  if (!why_not.isEmpty()) {
     QMessageBox::warning(
         area_, "Geodesic ruler",
-        "The file " + name + " could not be written: " + file.errorString() + ". Choose another folder.");
+        "The file " + name + " could not be written: " + why_not + ". Choose another folder.");
     return;
   }
   log(GLLogStream::FILTER, "Ruler: measurements written to " + name.toStdString());
@@ -65,8 +76,9 @@ void RulerTool::open() {
   }
   log(GLLogStream::FILTER, "Ruler: " + std::to_string(measurements_->all().size() - already) +
                                " measurements read from " + name.toStdString());
+  const auto before = reading_;
   read_layer();
-  measure_imported();
+  if (reading_ == before) measure_imported();  // otherwise they have been asked for
 }
 
 int RulerTool::layer_named(const std::string& name) const {
@@ -108,11 +120,10 @@ void RulerTool::store() {
   if (measurements_->all().empty() && !QFile::exists(name)) return;
   stored_file_ = name;
   stored_revision_ = measurements_->revision();
-  QSaveFile file(name);
-  const QByteArray text = QByteArray::fromStdString(measurements_->text());
-  if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit()) {
+  const QString why_not = write_file(name, measurements_->text());
+  if (!why_not.isEmpty()) {
     log(GLLogStream::WARNING, "Ruler: the file " + name.toStdString() + " could not be written: " +
-                                  file.errorString().toStdString() + ". Save the project in another folder.");
+                                  why_not.toStdString() + ". Save the project in another folder.");
   }
 }
 

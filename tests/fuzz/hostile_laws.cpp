@@ -2,32 +2,26 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 #include "fuzz/hostile_case.h"
+#include "support/hostile_parts.h"
 
 namespace vorogeo::test {
 
 namespace {
 
-/// Vertices, faces and corners in random order, and faces turned over. `place` receives the new number of
-/// each vertex.
-Soup renumbered(const Soup& soup, HostileRandom& random, std::vector<Index>& place) {
-  auto shuffle = [&](auto& list) {
-    for (std::size_t i = list.size(); i > 1; --i) std::swap(list[i - 1], list[random.below(i)]);
-  };
+/// Vertices, faces and corners in random order, so that some faces are turned over. `place` receives the new
+/// number of each vertex.
+Soup reordered(const Soup& soup, HostileRandom& random, std::vector<Index>& place) {
   place.resize(soup.positions.size());
   std::iota(place.begin(), place.end(), 0);
-  shuffle(place);
-  Soup result{std::vector<Point>(soup.positions.size()), soup.faces};
-  for (std::size_t v = 0; v < place.size(); ++v) result.positions[place[v]] = soup.positions[v];
-  for (auto& face : result.faces) {
-    for (Index& corner : face) corner = place[corner];
-    shuffle(face);
-  }
-  shuffle(result.faces);
+  shuffle(place, random);
+  Soup result = renumbered(soup, place);
+  for (auto& face : result.faces) shuffle(face, random);
+  shuffle(result.faces, random);
   return result;
 }
 
@@ -42,30 +36,6 @@ Soup moved_exactly(const Soup& soup, HostileRandom& random, double& scale) {
   Soup result = soup;
   for (std::size_t v = 0; v < soup.positions.size(); ++v) {
     for (int i = 0; i < 3; ++i) result.positions[v][i] = factor[i] * soup.positions[v][axis[i]];
-  }
-  return result;
-}
-
-/// Each face in four, over the middles of its edges.
-Soup subdivided(const Soup& soup) {
-  Soup result{soup.positions, {}};
-  std::map<std::pair<Index, Index>, Index> middles;
-  auto middle = [&](Index a, Index b) {
-    const auto [known, added] =
-        middles.try_emplace(std::minmax(a, b), static_cast<Index>(result.positions.size()));
-    if (added) {
-      Point at;
-      for (int i = 0; i < 3; ++i) at[i] = 0.5 * soup.positions[a][i] + 0.5 * soup.positions[b][i];
-      result.positions.push_back(at);
-    }
-    return known->second;
-  };
-  for (const auto& [a, b, c] : soup.faces) {
-    if (a == b || b == c || c == a) continue;
-    const Index ab = middle(a, b);
-    const Index bc = middle(b, c);
-    const Index ca = middle(c, a);
-    result.faces.insert(result.faces.end(), {{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}});
   }
   return result;
 }
@@ -85,14 +55,14 @@ class Laws {
     check_limit();
     std::vector<Index> place;
     const Soup& soup = hostile_.hostile.soup;
-    const Soup other = renumbered(soup, random_, place);
+    const Soup other = reordered(soup, random_, place);
     check_same("renumbering changes a distance", other, place, 1.0, 0.0);
     std::iota(place.begin(), place.end(), 0);
     double scale = 1.0;
     const Soup moved = moved_exactly(soup, random_, scale);
     check_same("a motion changes a distance", moved, place, scale, 0.0);
     // A middle is rounded, by some 1e-16 of its place; a path may lead over many.
-    check_same("subdivision changes a distance", subdivided(soup), place, 1.0, 1e-14 * farthest_);
+    check_same("subdivision changes a distance", in_four(soup), place, 1.0, 1e-14 * farthest_);
   }
 
  private:

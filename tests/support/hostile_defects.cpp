@@ -369,22 +369,14 @@ void add_small_copy(HostileMesh& mesh, HostileRandom& random) {
   mesh.defects.push_back("a second copy " + short_number(share) + " as large");
 }
 
-void shuffle(HostileMesh& mesh, HostileRandom& random) {
-  Soup& soup = mesh.soup;
-  std::vector<Index> order(soup.positions.size());
+void shuffle_elements(HostileMesh& mesh, HostileRandom& random) {
+  std::vector<Index> order(mesh.soup.positions.size());
   std::iota(order.begin(), order.end(), 0);
-  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
-  auto positions = soup.positions;
-  auto flat = mesh.flat;
-  for (std::size_t v = 0; v < order.size(); ++v) {
-    soup.positions[order[v]] = positions[v];
-    if (!flat.empty()) mesh.flat[order[v]] = flat[v];
-  }
-  for (auto& face : soup.faces) {
-    for (Index& v : face) v = order[v];
-  }
-  for (std::size_t i = soup.faces.size(); i > 1; --i)
-    std::swap(soup.faces[i - 1], soup.faces[random.below(i)]);
+  shuffle(order, random);
+  mesh.soup = renumbered(mesh.soup, order);
+  const auto flat = mesh.flat;
+  for (std::size_t v = 0; v < flat.size(); ++v) mesh.flat[order[v]] = flat[v];
+  shuffle(mesh.soup.faces, random);
   mesh.defects.push_back("elements in random order");
 }
 
@@ -458,7 +450,7 @@ constexpr std::array<Defect, hostile_defect_count> all_defects{{
     {weld},
     {isolate_vertices, true},
     {make_holes},
-    {shuffle, true},
+    {shuffle_elements, true},
 }};
 
 }  // namespace

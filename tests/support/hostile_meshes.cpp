@@ -41,6 +41,15 @@ std::vector<VertexPair> random_edges(const EdgeSides& edges, std::size_t count, 
   return all;
 }
 
+Soup renumbered(const Soup& soup, const std::vector<Index>& number) {
+  Soup result = soup;
+  for (std::size_t v = 0; v < number.size(); ++v) result.positions[number[v]] = soup.positions[v];
+  for (auto& face : result.faces) {
+    for (Index& corner : face) corner = number[corner];
+  }
+  return result;
+}
+
 std::vector<std::vector<Index>> neighbours_of(const Soup& soup) {
   std::vector<std::vector<Index>> neighbours(soup.positions.size());
   for (const auto& [edge, sides] : edge_sides(soup)) {

@@ -21,6 +21,13 @@ EdgeSides edge_sides(const Soup& soup);
 using VertexPair = std::pair<Index, Index>;
 /// Some different edges of those, in random order.
 std::vector<VertexPair> random_edges(const EdgeSides& edges, std::size_t count, HostileRandom& random);
+/// In random order.
+template <class List>
+void shuffle(List& list, HostileRandom& random) {
+  for (std::size_t i = list.size(); i > 1; --i) std::swap(list[i - 1], list[random.below(i)]);
+}
+/// The soup with vertex v at number[v].
+Soup renumbered(const Soup& soup, const std::vector<Index>& number);
 /// The vertices next to each vertex. Shape (n).
 std::vector<std::vector<Index>> neighbours_of(const Soup& soup);
 /// The median length of the edges that have one: outliers do not change it. 1 if there is none.

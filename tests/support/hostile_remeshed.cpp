@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 
+#include "support/disjoint_sets.h"
 #include "support/hostile_parts.h"
 
 namespace vorogeo::test {
@@ -67,15 +67,10 @@ void decimate(HostileMesh& mesh, HostileRandom& random) {
   const auto edges = edge_sides(mesh.soup);
   const auto chosen =
       random_edges(edges, static_cast<std::size_t>(edges.size() * random.uniform(0.05, 0.3)), random);
-  std::vector<Index> stands(mesh.soup.positions.size());
-  std::iota(stands.begin(), stands.end(), 0);
-  auto root = [&](Index v) {
-    while (stands[v] != v) v = stands[v] = stands[stands[v]];
-    return v;
-  };
-  for (const auto& [a, b] : chosen) stands[root(b)] = root(a);
+  DisjointSets vertices(static_cast<Index>(mesh.soup.positions.size()));
+  for (const auto& [a, b] : chosen) vertices.join(b, a);
   for (auto& face : mesh.soup.faces) {
-    for (Index& corner : face) corner = root(corner);
+    for (Index& corner : face) corner = vertices.root(corner);
   }
   mesh.flat.clear();
   mesh.defects.push_back(counted(chosen.size(), "contracted edge"));

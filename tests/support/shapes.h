@@ -22,6 +22,9 @@ struct Soup {
 std::shared_ptr<const Mesh> make_mesh(const Soup& soup);
 /// All coordinates times `factor`.
 Soup scaled(Soup soup, double factor);
+/// Each face in four, over the middles of its edges, which follow the other vertices; without faces that name
+/// a vertex twice.
+Soup in_four(const Soup& soup);
 
 /// A mesh and the exact geodesic distance of any two of its points, from a formula.
 ///

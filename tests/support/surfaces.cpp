@@ -32,6 +32,29 @@ double volume(const Point& a, const Point& b, const Point& c, const Point& d) {
 
 }  // namespace
 
+Soup in_four(const Soup& soup) {
+  Soup finer{soup.positions, {}};
+  std::map<std::pair<Index, Index>, Index> middle_of;
+  auto middle = [&](Index a, Index b) {
+    const auto [found, added] =
+        middle_of.try_emplace(std::minmax(a, b), static_cast<Index>(finer.positions.size()));
+    if (added) {
+      Point at;
+      for (int i = 0; i < 3; ++i) at[i] = 0.5 * soup.positions[a][i] + 0.5 * soup.positions[b][i];
+      finer.positions.push_back(at);
+    }
+    return found->second;
+  };
+  for (const auto& [a, b, c] : soup.faces) {
+    if (a == b || b == c || c == a) continue;
+    const Index ab = middle(a, b);
+    const Index bc = middle(b, c);
+    const Index ca = middle(c, a);
+    finer.faces.insert(finer.faces.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+  }
+  return finer;
+}
+
 Soup icosphere(int subdivisions) {
   const double g = std::numbers::phi;
   Soup soup{{{-1, g, 0},
@@ -51,25 +74,10 @@ Soup icosphere(int subdivisions) {
              {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
   for (Point& p : soup.positions) p = normalized(p);
   for (int round = 0; round < subdivisions; ++round) {
-    std::map<std::pair<Index, Index>, Index> middle_of;
-    auto middle = [&](Index a, Index b) {
-      const auto key = std::minmax(a, b);
-      const auto [found, added] = middle_of.try_emplace(key, static_cast<Index>(soup.positions.size()));
-      if (added) {
-        const Point p = soup.positions[a];
-        const Point q = soup.positions[b];
-        soup.positions.push_back(normalized({p[0] + q[0], p[1] + q[1], p[2] + q[2]}));
-      }
-      return found->second;
-    };
-    std::vector<std::array<Index, 3>> finer;
-    for (const auto& [a, b, c] : soup.faces) {
-      const Index ab = middle(a, b);
-      const Index bc = middle(b, c);
-      const Index ca = middle(c, a);
-      finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
-    }
-    soup.faces = std::move(finer);
+    const std::size_t before = soup.positions.size();
+    soup = in_four(soup);
+    for (std::size_t v = before; v < soup.positions.size(); ++v)
+      soup.positions[v] = normalized(soup.positions[v]);
   }
   return soup;
 }
