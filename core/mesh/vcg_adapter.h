@@ -37,11 +37,19 @@ Index index_of_corner(const VcgMesh& mesh, std::size_t face, int corner) {
   return inside ? static_cast<Index>(vertex - first) : no_index;
 }
 
-/// Copies positions (as doubles) and connectivity. The mesh may hold deleted elements; it is not changed.
-/// \throw InvalidInput if a coordinate is NaN or infinite, or a face names no vertex, a deleted one or one of
-/// another mesh; the message names the vertex or face by its index in mesh.vert or mesh.face.
-template <class VcgMesh>
-VcgMeshArrays arrays_from_vcg(const VcgMesh& mesh) {
+/// Where a vertex of a VCG mesh is.
+template <class VcgVertex>
+Point position_of(const VcgVertex& vertex) {
+  const auto& p = vertex.cP();
+  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+}
+
+/// Copies positions (as doubles, at `place` of each) and connectivity. The mesh may hold deleted elements; it
+/// is not changed. \throw InvalidInput if a coordinate is NaN or infinite, or a face names no vertex, a
+/// deleted one or one of another mesh; the message names the vertex or face by its index in mesh.vert or
+/// mesh.face.
+template <class VcgMesh, class Place = std::identity>
+VcgMeshArrays arrays_from_vcg(const VcgMesh& mesh, Place&& place = {}) {
   VcgMeshArrays arrays;
   arrays.vertex_of_input.assign(mesh.vert.size(), no_index);
   arrays.input_of_vertex.reserve(mesh.vert.size());
@@ -50,11 +58,9 @@ VcgMeshArrays arrays_from_vcg(const VcgMesh& mesh) {
   arrays.faces.reserve(mesh.face.size());
   for (std::size_t v = 0; v < mesh.vert.size(); ++v) {
     if (mesh.vert[v].IsD()) continue;
-    const auto& p = mesh.vert[v].cP();
     arrays.vertex_of_input[v] = static_cast<Index>(arrays.positions.size());
     arrays.input_of_vertex.push_back(static_cast<Index>(v));
-    arrays.positions.push_back(
-        {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])});
+    arrays.positions.push_back(place(position_of(mesh.vert[v])));
     for (double coordinate : arrays.positions.back()) {
       if (!std::isfinite(coordinate)) {
         throw InvalidInput("Vertex " + std::to_string(v) +
@@ -83,19 +89,15 @@ VcgMeshArrays arrays_from_vcg(const VcgMesh& mesh) {
 
 /// Whether arrays_from_vcg() would make these arrays of the mesh as it is now; at the speed of reading it, as
 /// nothing is copied.
-template <class VcgMesh>
-bool are_arrays_of(const VcgMesh& mesh, const VcgMeshArrays& arrays) {
+template <class VcgMesh, class Place = std::identity>
+bool are_arrays_of(const VcgMesh& mesh, const VcgMeshArrays& arrays, Place&& place = {}) {
   if (mesh.vert.size() != arrays.vertex_of_input.size()) return false;
   std::size_t v = 0;
   for (std::size_t i = 0; i < mesh.vert.size(); ++i) {
     const bool is_deleted = mesh.vert[i].IsD();
     if (is_deleted != (arrays.vertex_of_input[i] == no_index)) return false;
     if (is_deleted) continue;
-    const auto& p = mesh.vert[i].cP();
-    const Point& q = arrays.positions[v++];
-    const bool is_same = static_cast<double>(p[0]) == q[0] && static_cast<double>(p[1]) == q[1] &&
-                         static_cast<double>(p[2]) == q[2];
-    if (!is_same) return false;
+    if (place(position_of(mesh.vert[i])) != arrays.positions[v++]) return false;
   }
   std::size_t f = 0;
   for (std::size_t i = 0; i < mesh.face.size(); ++i) {

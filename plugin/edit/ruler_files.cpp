@@ -9,6 +9,7 @@
 #include <QSaveFile>
 
 #include "edit/ruler_tool.h"
+#include "layers/points.h"
 #include "layers/results.h"
 #include "support/error.h"
 
@@ -48,10 +49,15 @@ void RulerTool::save() {
     return;
   }
   log(GLLogStream::FILTER, "Ruler: measurements written to " + name.toStdString());
-  const PathLines paths = measurements_->lines_on(layer_);
-  if (!paths.lines.points.empty()) {
+  PathLines paths = measurements_->lines_on(layer_);
+  if (paths.lines.points.empty()) return;
+  try {
+    const Placement placement = placement_of(layer);
+    for (Point& point : paths.lines.points) point = placement.to_scene(point);
     add_polyline_layer(*document_, layer, "Geodesic measurements", paths.lines, paths.along, false);
     QMetaObject::invokeMethod(area_, "updateLayerTable");
+  } catch (const Error& error) {
+    say(error.what());
   }
   repaint();
 }

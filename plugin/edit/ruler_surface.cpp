@@ -88,14 +88,17 @@ namespace {
 /// About how many isolines there are.
 constexpr double isolines_wanted = 15.0;
 
-/// Fills an answer, measures the time, and makes a sentence of an error.
+/// Fills an answer in the scene, measures the time, and makes a sentence of an error.
 template <class Find>
-RulerAnswer answer_of(Find&& find) {
+RulerAnswer answer_of(const Placement& placement, Find&& find) {
   RulerAnswer answer;
   const Stopwatch watch;
   answer.error = error_of([&] { find(answer); },
                           "There is not enough memory to measure on this mesh. Close other layers.");
   if (!answer.error.empty()) answer.is_on_surface = false;
+  for (auto* points : {&answer.points, &answer.lines.lines.points, &answer.isolines.points}) {
+    for (Point& point : *points) point = placement.to_layer(point);
+  }
   answer.seconds = watch.seconds();
   return answer;
 }
@@ -120,7 +123,7 @@ std::vector<double> round_values(double largest) {
 }
 
 bool RulerSurface::snap(const Picked& picked, SurfacePoint& point) {
-  const SnappedPoint found = layer_->locator()->nearest(picked.at);
+  const SnappedPoint found = layer_->locator()->nearest(layer_->placement().to_scene(picked.at));
   point = found.point;
   if (found.distance > picked.tolerance) return false;
   if (picked.to != SnapTo::free) point = snapped(picked.to, point);
@@ -342,7 +345,7 @@ RulerAnswer RulerSurface::measure(MeasureKind kind, const std::vector<Picked>& p
       }
     }
   };
-  return answer_of(find);
+  return answer_of(layer_->placement(), find);
 }
 
 RulerAnswer RulerSurface::field(const Picked& from, const Progress& progress) {
@@ -364,7 +367,7 @@ RulerAnswer RulerSurface::field(const Picked& from, const Progress& progress) {
         isolines(*surface->mesh(), answer.distances, round_values(answer.largest), Interpolation::distance)
             .lines;
   };
-  return answer_of(find);
+  return answer_of(layer_->placement(), find);
 }
 
 }  // namespace vorogeo::plugin

@@ -82,8 +82,8 @@ enum class SnapTo : std::uint8_t { free, vertex, edge, border };
 inline constexpr std::array<const char*, 4> snap_names{"free (F)", "vertex (V)", "edge (E)", "border (B)"};
 
 /// A point that was picked on the screen: a position in the coordinates of the layer, and how far from the
-/// surface it may lie: what a pixel and the depth of the picture resolve. Farther away, something else was
-/// picked.
+/// surface it may lie in the scene: what a pixel and the depth of the picture resolve. Farther away,
+/// something else was picked.
 struct Picked {
   Point at{};
   double tolerance = 0.0;
@@ -98,7 +98,8 @@ const char* name_of(AnswerMethod how, bool is_path);
 /// them.
 std::vector<double> round_values(double largest);
 
-/// A measurement or a field.
+/// A measurement or a field: lengths as in the scene, positions in the coordinates of the layer, with which
+/// they move when its matrix changes.
 struct RulerAnswer {
   bool is_field = false;
   bool is_straight = false;    ///< only the straight line between two points, shown until the path is there

@@ -426,7 +426,9 @@ void RulerTool::show_straight() {
   live_ = RulerAnswer{};
   live_->is_straight = true;
   live_->points.assign(straight_ends_.begin(), straight_ends_.end());
-  live_->values = {{Quantity::straight, distance_between(straight_ends_[0], straight_ends_[1])}};
+  const Placement& placement = drag_->surface->layer()->placement();
+  live_->values = {{Quantity::straight, distance_between(placement.to_scene(straight_ends_[0]),
+                                                         placement.to_scene(straight_ends_[1]))}};
   live_->lines = lines_through(live_->points);
   is_new_ = true;
   show_what_is_shown();
@@ -673,10 +675,10 @@ void RulerTool::color_field(const RulerAnswer& field) {
       for (Index corner : face) field_.corners.push_back(static_cast<std::uint32_t>(corner));
     }
     for (std::size_t v = 0; v < arrays.positions.size(); ++v) {
-      const auto& normal = layer->cm.vert[static_cast<std::size_t>(arrays.input_of_vertex[v])].cN();
+      const CVertexO& vertex = layer->cm.vert[static_cast<std::size_t>(arrays.input_of_vertex[v])];
       for (int i = 0; i < 3; ++i) {
-        field_.positions.push_back(static_cast<float>(arrays.positions[v][static_cast<std::size_t>(i)]));
-        field_.normals.push_back(static_cast<float>(normal[i]));
+        field_.positions.push_back(static_cast<float>(vertex.cP()[i]));
+        field_.normals.push_back(static_cast<float>(vertex.cN()[i]));
       }
     }
   }

@@ -45,7 +45,8 @@ SceneView SceneView::capture(const Transform& layer, bool with_depth) {
   scene.width_ = area[2];
   scene.height_ = area[3];
   scene.to_clip_ = projection * view * layer;
-  scene.from_clip_ = scene.to_clip_.inverse();
+  scene.from_clip_ = (projection * view).inverse();
+  scene.to_layer_ = layer.inverse();
   if (with_depth) {
     scene.depth_.resize(static_cast<std::size_t>(scene.width_) * static_cast<std::size_t>(scene.height_));
     gl().glPushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
@@ -76,8 +77,9 @@ std::optional<Picked> SceneView::pick(int x, int y) const {
   const double step = distance_between(at, position(middle_x, middle_y, depth - depth_error));
   const double largest = std::max({std::abs(at[0]), std::abs(at[1]), std::abs(at[2])});
   const double tolerance = pixel_error * pixel + step + rounding * largest;
-  if (!std::isfinite(at[0] + at[1] + at[2] + tolerance)) return std::nullopt;
-  return Picked{at, tolerance};
+  const Eigen::Vector4d in_layer = to_layer_ * Eigen::Vector4d(at[0], at[1], at[2], 1.0);
+  if (!std::isfinite(in_layer.sum() + tolerance)) return std::nullopt;
+  return Picked{{in_layer[0], in_layer[1], in_layer[2]}, tolerance};
 }
 
 std::optional<QPointF> SceneView::pixel_of(const Point& point) const {

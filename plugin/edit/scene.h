@@ -27,17 +27,18 @@ class SceneView {
   /// Only while the scene is painted, with the view's matrices in place. `with_depth`: for pick().
   static SceneView capture(const Transform& layer, bool with_depth);
 
-  /// The point of the layer that is seen at a pixel; nothing where the scene is empty.
+  /// The point that is seen at a pixel, in the coordinates of the layer; nothing where the scene is empty.
   std::optional<Picked> pick(int x, int y) const;
   /// The pixel at which a point of the layer is seen, if it lies in front of the viewer.
   std::optional<QPointF> pixel_of(const Point& point) const;
   int height() const { return height_; }
 
  private:
-  Point position(double x, double y, double depth) const;
+  Point position(double x, double y, double depth) const;  ///< in the scene
 
-  Eigen::Matrix4d to_clip_;
-  Eigen::Matrix4d from_clip_;
+  Eigen::Matrix4d to_clip_;    ///< from the layer
+  Eigen::Matrix4d from_clip_;  ///< to the scene
+  Eigen::Matrix4d to_layer_;
   int left_ = 0;
   int bottom_ = 0;
   int width_ = 0;

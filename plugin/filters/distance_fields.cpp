@@ -144,8 +144,9 @@ Results write_distance_field(FilterCall& call, LayerSurface& layer, const std::v
 QString help_on_field() {
   return "<p>The distance becomes the vertex quality, in the unit of the mesh, and a colour: red at the "
          "sources, blue at the farthest vertex. Vertices that no path leads to, or only one longer than "
-         "<b>Max distance</b>, get quality <b>-1</b> and grey and are counted in the log. The transformation "
-         "of the layer is not applied; freeze it first if it scales.</p>";
+         "<b>Max distance</b>, get quality <b>-1</b> and grey and are counted in the log. Lengths are those "
+         "in "
+         "the scene: the matrix of the layer is applied.</p>";
 }
 
 QString help_on_exact() {
@@ -407,7 +408,10 @@ Results directions_from_point(FilterCall& call) {
   const SnappedPoint start = start_point(call, *layer);
   auto answer = ask_task_by(AnswerMethod::exact, call, *layer, "Geodesic directions", log_map, start.point,
                             std::nullopt, radius > 0.0 ? radius : unreachable);
-  const LogMap& map = answer.found;
+  LogMap& map = answer.found;
+  if (layer->placement().is_mirrored()) {  // counter-clockwise as the scene is seen
+    for (auto& vector : map.vector) vector[1] = -vector[1];
+  }
   const Reach reach = reach_of(*mesh, {{start.point}}, map.distance);
   rest_if_large(*layer, answer.answered, reach.reached);
   call.progress.report(1.0, "Writing texture coordinates, quality and colours");

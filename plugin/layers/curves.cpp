@@ -46,7 +46,9 @@ double spacing_of(const FilterCall& call, const Mesh& mesh) {
 
 CurveSources sources_of_layer(const FilterCall& call, LayerSurface& layer, const char* parameter,
                               double spacing, bool with_offsets) {
-  const CMeshO& points = other_layer(call, parameter, "points or lines").cm;
+  const MeshModel& other = other_layer(call, parameter, "points or lines");
+  const CMeshO& points = other.cm;
+  const std::vector<Point> positions = scene_positions(other);
   PointSnapper snapper(call, layer);
   CurveSources curve;
   auto add = [&](const Point& at, double offset, std::size_t number) {
@@ -55,18 +57,17 @@ CurveSources sources_of_layer(const FilterCall& call, LayerSurface& layer, const
   };
   auto offset = [&](const CVertexO& v) { return with_offsets ? static_cast<double>(v.cQ()) : 0.0; };
   for (std::size_t v = 0; v < points.vert.size(); ++v) {
-    if (!points.vert[v].IsD()) add(position_of(points.vert[v]), offset(points.vert[v]), v);
+    if (!points.vert[v].IsD()) add(positions[v], offset(points.vert[v]), v);
   }
   for (const auto& edge : points.edge) {
     if (edge.IsD()) continue;
     const CVertexO& a = *edge.cV(0);
     const CVertexO& b = *edge.cV(1);
-    const auto between = points_between(position_of(a), position_of(b), spacing);
+    const auto number = [&](const CVertexO& v) { return static_cast<std::size_t>(&v - points.vert.data()); };
+    const auto between = points_between(positions[number(a)], positions[number(b)], spacing);
     for (std::size_t i = 0; i < between.size(); ++i) {
       const double t = static_cast<double>(i + 1) / static_cast<double>(between.size() + 1);
-      const CVertexO& nearer = t < 0.5 ? a : b;
-      add(between[i], std::lerp(offset(a), offset(b), t),
-          static_cast<std::size_t>(&nearer - points.vert.data()));
+      add(between[i], std::lerp(offset(a), offset(b), t), number(t < 0.5 ? a : b));
     }
   }
   if (curve.sources.empty()) {
@@ -169,8 +170,10 @@ std::vector<TaskPoints> curves_in_order(const FilterCall& call, LayerSurface& la
     }
     return curves;
   }
-  const CMeshO& lines = other_layer(call, "curve_layer", "lines of the curve").cm;
+  const MeshModel& other = other_layer(call, "curve_layer", "lines of the curve");
+  const CMeshO& lines = other.cm;
   if (lines.en == 0) return {snapped_layer(call, layer, "curve_layer", "lines")};
+  const std::vector<Point> positions = scene_positions(other);
   const std::string of_layer = of_curve_layer(call);
   PointSnapper snapper(call, layer);
   // Ends of edges at one place are one point: a closed path ends at a vertex of its own.
@@ -182,7 +185,7 @@ std::vector<TaskPoints> curves_in_order(const FilterCall& call, LayerSurface& la
     std::array<Index, 2> ends{};
     for (int i = 0; i < 2; ++i) {
       const auto number = static_cast<Index>(edge.cV(i) - lines.vert.data());
-      const Point at = position_of(*edge.cV(i));
+      const Point& at = positions[number];
       const SurfacePoint point = snapper.snap_vertex(at, static_cast<std::size_t>(number), "curve_layer");
       ends[i] = point_at.emplace(at, number).first->second;
       snapped.emplace(ends[i], point);

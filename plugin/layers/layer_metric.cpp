@@ -224,6 +224,7 @@ QString help_on_metric() {
 LayerMeasure measure_of(const FilterCall& call) {
   require_faces(call.layer.cm);  // which matters more than what its costs are
   LayerMeasure measure;
+  measure.placement = placement_of(call.layer);
   measure.gap = gap_of(call);
   measure.metric = metric_of(call);
   switch (measure.metric) {
@@ -262,9 +263,13 @@ LayerMeasure measure_of(const FilterCall& call) {
 
 std::shared_ptr<LayerSurface> read_surface(const CMeshO& layer, LayerMeasure measure) {
   require_faces(layer);
-  VcgMeshArrays arrays = arrays_from_vcg(layer);
+  VcgMeshArrays arrays =
+      arrays_from_vcg(layer, [&](const Point& at) { return measure.placement.to_scene(at); });
   arrays.metric = metric_in(measure, arrays);
   std::vector<std::string> remarks = remarks_on(arrays.metric);
+  if (!measure.placement.is_identity()) {
+    remarks.insert(remarks.begin(), "The layer's matrix was applied: lengths are those in the scene");
+  }
   return std::make_shared<LayerSurface>(std::move(arrays), std::move(measure), std::move(remarks));
 }
 

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "layers/placement.h"
 #include "mesh/gaps.h"
 #include "mesh/metric.h"
 #include "mesh/surface_locator.h"
@@ -38,6 +39,7 @@ struct LayerMeasure {
   std::vector<double>
       cost;  ///< by quality: of each vertex or face that is not deleted; empty in other metrics
   GapLimit gap;
+  Placement placement;  ///< of the layer in the scene: where it is measured
 
   friend bool operator==(const LayerMeasure&, const LayerMeasure&) = default;
 };
@@ -48,8 +50,9 @@ struct HostPlace {
   int face = -1;
 };
 
-/// A layer of the host as it was when it was read. A core vertex is a vertex that is not deleted. Nothing of
-/// it changes but what is made when it is first asked for; may be used by several threads.
+/// A layer of the host as it stood in the scene when it was read. A core vertex is a vertex that is not
+/// deleted. Nothing of it changes but what is made when it is first asked for; may be used by several
+/// threads.
 class LayerSurface {
  public:
   /// `arrays`: with the sides that the metric gives the faces. `remarks`: what reading the metric has to say.
@@ -59,11 +62,13 @@ class LayerSurface {
   const VcgMeshArrays& arrays() const { return arrays_; }
   const LayerMeasure& measure() const { return measure_; }
   const GapLimit& gap() const { return measure_.gap; }
+  const Placement& placement() const { return measure_.placement; }
   const std::vector<std::string>& remarks() const { return remarks_; }
   /// Whether reading this layer, to be measured like this, would give the same again.
   template <class VcgMesh>
   bool is_of(const VcgMesh& layer, const LayerMeasure& measure) const {
-    return measure == measure_ && are_arrays_of(layer, arrays_);
+    return measure == measure_ &&
+           are_arrays_of(layer, arrays_, [&](const Point& at) { return measure.placement.to_scene(at); });
   }
 
   /// The core vertex with this number in the host. \throw InvalidInput if there is none; the message names

@@ -16,6 +16,32 @@
 
 namespace vorogeo::plugin {
 
+Placement placement_of(const MeshModel& layer) {
+  std::array<std::array<double, 4>, 4> matrix{};
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      matrix[row][column] = static_cast<double>(layer.cm.Tr.ElementAt(row, column));
+    }
+  }
+  return {matrix, "the layer \"" + layer.label().toStdString() + "\""};
+}
+
+Box3m scene_box(const MeshModel& layer) {
+  try {
+    const Placement placement = placement_of(layer);
+    if (placement.is_identity()) return layer.cm.bbox;
+    Box3m box;
+    for (const CVertexO& vertex : layer.cm.vert) {
+      if (vertex.IsD()) continue;
+      const Point at = placement.to_scene(position_of(vertex));
+      box.Add(Point3m(static_cast<Scalarm>(at[0]), static_cast<Scalarm>(at[1]), static_cast<Scalarm>(at[2])));
+    }
+    return box;
+  } catch (const InvalidInput&) {  // of a layer that is refused when it is measured
+    return layer.cm.bbox;
+  }
+}
+
 std::string named(const FilterCall& call, const char* parameter) {
   // A list that was read from a filter script has names only.
   const std::string label =
@@ -25,7 +51,7 @@ std::string named(const FilterCall& call, const char* parameter) {
 
 RichLength length_parameter(const MeshDocument& document, const char* name, double share_of_diagonal,
                             const char* label, const char* tooltip, bool advanced) {
-  const Scalarm diagonal = document.mm()->cm.bbox.Diag();  // infinite if a coordinate is
+  const Scalarm diagonal = scene_box(*document.mm()).Diag();  // infinite if a coordinate is
   const Scalarm length = share_of_diagonal > 0.0 ? static_cast<Scalarm>(share_of_diagonal) * diagonal : 0;
   return RichLength(name, length, 0, diagonal, label, tooltip, advanced);
 }
@@ -143,7 +169,7 @@ SnappedPoint start_of(const FilterCall& call, const LayerSurface& layer, const M
 
 RichParameterList start_parameters(const MeshDocument& document, const QString& what) {
   return list_of(
-      RichPosition("start_point", document.mm()->cm.bbox.min, "Start point",
+      RichPosition("start_point", scene_box(*document.mm()).min, "Start point",
                    what +
                        ". Choose 'Surf. Pos.' and press Get, then double-click on the surface. Used if the "
                        "start vertex is -1."),
@@ -249,10 +275,10 @@ RichParameterList end_point_parameters(const MeshDocument& document, int vertex)
       RichInt("source", vertex, "Source vertex", "Number of the first vertex, counted from 0; -1: a point."),
       RichInt("target", vertex, "Target vertex", "Number of the second vertex, counted from 0; -1: a point."),
       RichPosition(
-          "source_point", document.mm()->cm.bbox.min, "Source point",
+          "source_point", scene_box(*document.mm()).min, "Source point",
           "Used if the source vertex is -1: the nearest point of the surface. Choose 'Surf. Pos.' and press "
           "Get, then double-click on the surface."),
-      RichPosition("target_point", document.mm()->cm.bbox.max, "Target point",
+      RichPosition("target_point", scene_box(*document.mm()).max, "Target point",
                    "Used if the target vertex is -1: the nearest point of the surface."),
       max_snap_distance_parameter(document),
       RichString(
@@ -349,8 +375,11 @@ const MeshModel& other_layer(const FilterCall& call, const char* parameter, cons
   return *other;
 }
 
-Point position_of(const CVertexO& vertex) {
-  return {double(vertex.cP()[0]), double(vertex.cP()[1]), double(vertex.cP()[2])};
+std::vector<Point> scene_positions(const MeshModel& layer) {
+  const Placement placement = placement_of(layer);
+  std::vector<Point> positions;
+  for (const CVertexO& vertex : layer.cm.vert) positions.push_back(placement.to_scene(position_of(vertex)));
+  return positions;
 }
 
 PointSnapper::PointSnapper(const FilterCall& call, LayerSurface& layer)
@@ -384,14 +413,16 @@ SurfacePoint PointSnapper::snap_vertex(const Point& at, std::size_t number, cons
 
 TaskPoints snapped_layer(const FilterCall& call, LayerSurface& surface, const char* parameter,
                          const char* what) {
-  const CMeshO& layer = other_layer(call, parameter, what).cm;
+  const MeshModel& other = other_layer(call, parameter, what);
+  const CMeshO& layer = other.cm;
+  const std::vector<Point> positions = scene_positions(other);
   const std::string id = std::to_string(call.parameters.getMeshId(parameter));
   PointSnapper snapper(call, surface);
   std::vector<SurfacePoint> points;
   TaskPoints result;
   for (std::size_t v = 0; v < layer.vert.size(); ++v) {
     if (layer.vert[v].IsD()) continue;
-    points.push_back(snapper.snap_vertex(position_of(layer.vert[v]), v, parameter));
+    points.push_back(snapper.snap_vertex(positions[v], v, parameter));
     result.numbers.push_back(static_cast<int>(v));
   }
   if (points.empty()) throw InvalidInput("Layer " + id + " has no vertex. Choose a layer with " + what + ".");

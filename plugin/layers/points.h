@@ -17,6 +17,14 @@
 
 namespace vorogeo::plugin {
 
+// ---- The scene, in which points and lengths are given and measured
+
+/// \throw InvalidInput as Placement; the message names the layer.
+Placement placement_of(const MeshModel& layer);
+
+/// Around the layer as it stands in the scene.
+Box3m scene_box(const MeshModel& layer);
+
 // ---- Parameters that several filters have, and how errors name a parameter
 
 /// A parameter as errors name it: by its label in the window, without what that says about 0, and its
@@ -32,7 +40,7 @@ template <class Value>
   throw InvalidInput(text.str());
 }
 
-/// A length in the unit of the mesh, or in percent of the diagonal of its bounding box. `advanced`: shown on
+/// A length in the unit of the scene, or in percent of the diagonal of scene_box(). `advanced`: shown on
 /// request only, after the others.
 RichLength length_parameter(const MeshDocument& document, const char* name, double share_of_diagonal,
                             const char* label, const char* tooltip, bool advanced = false);
@@ -58,7 +66,7 @@ std::uint64_t seed_of(const FilterCall& call);
 /// none.
 Index vertex_of(const FilterCall& call, const LayerSurface& layer, const char* parameter);
 
-/// A point. \throw InvalidInput if it is not finite.
+/// A point of the scene. \throw InvalidInput if it is not finite.
 Point point_of(const FilterCall& call, const char* parameter);
 
 // ---- The vertices that the user has selected, as sources or points of a filter
@@ -137,9 +145,10 @@ RichMesh source_layer_parameter(const MeshDocument& document, const char* what);
 /// The layer named by a parameter. \throw InvalidInput if there is none, or if it is the current one.
 const MeshModel& other_layer(const FilterCall& call, const char* parameter, const char* what);
 
-Point position_of(const CVertexO& vertex);
+/// The positions of all its vertices in the scene, by number. \throw InvalidInput as placement_of().
+std::vector<Point> scene_positions(const MeshModel& layer);
 
-/// Moves points to the surface of the layer, within max_snap_distance.
+/// Moves points of the scene to the surface of the layer, within max_snap_distance.
 class PointSnapper {
  public:
   PointSnapper(const FilterCall& call, LayerSurface& layer);

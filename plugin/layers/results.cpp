@@ -11,6 +11,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "layers/points.h"
 #include "mesh/mesh_input.h"
 
 namespace vorogeo::plugin {
@@ -46,12 +47,13 @@ namespace {
 
 MeshModel& new_layer(MeshDocument& document, const MeshModel& on, const QString& name,
                      const std::vector<Point>& points, std::span<const double> quality, bool make_current) {
+  const Placement placement = placement_of(on);
   MeshModel& layer = *document.addNewMesh("", name, make_current);
   layer.cm.Tr = on.cm.Tr;
   if (!points.empty()) vcg::tri::Allocator<CMeshO>::AddVertices(layer.cm, points.size());
   if (!quality.empty()) layer.updateDataMask(MeshModel::MM_VERTQUALITY);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Point& p = points[i];
+    const Point p = placement.to_layer(points[i]);
     layer.cm.vert[i].P() =
         Point3m(static_cast<Scalarm>(p[0]), static_cast<Scalarm>(p[1]), static_cast<Scalarm>(p[2]));
     if (!quality.empty()) layer.cm.vert[i].Q() = static_cast<Scalarm>(quality[i]);

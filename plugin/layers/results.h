@@ -35,10 +35,10 @@ void write_distances(MeshModel& layer, std::span<const Index> host_vertices,
                      std::span<const double> distances, double largest);
 
 // ---- Layers that filters add to the document: points, polylines and parts of the surface of the current
-// layer
+// layer, given in the scene. They have the matrix of the layer on which they lie.
 
-/// Adds a layer with vertices and edges, and with `quality` (a value for each vertex, or none). It has the
-/// transform of the layer `on` which it lies. `make_current`: as the host does for filters that generate.
+/// Adds a layer with vertices and edges on another one, and with `quality` (a value for each vertex, or
+/// none). `make_current`: as the host does for filters that generate. \throw InvalidInput as placement_of().
 void add_polyline_layer(MeshDocument& document, const MeshModel& on, const QString& name,
                         const SurfaceLines& lines, std::span<const double> quality, bool make_current);
 

@@ -23,7 +23,8 @@ test::Soup sphere(int number) {
 }
 
 std::shared_ptr<LayerSurface> read(const Layer& layer, const LayerMeasure& measure = {}) {
-  auto surface = std::make_shared<LayerSurface>(arrays_from_vcg(layer), measure);
+  const auto place = [&](const Point& at) { return measure.placement.to_scene(at); };
+  auto surface = std::make_shared<LayerSurface>(arrays_from_vcg(layer, place), measure);
   surface->surface();
   return surface;
 }
@@ -111,9 +112,9 @@ TEST(LayerCache, AnEditedLayerHasNoneUntilTheEditIsUndone) {
   EXPECT_EQ(cache.find(layer, {}), surface);
 }
 
-TEST(LayerCache, MetricsCostsAndGapsAreNotMixedUp) {
+TEST(LayerCache, MetricsCostsGapsAndMatricesAreNotMixedUp) {
   const Layer layer(sphere(0));
-  std::vector<LayerMeasure> measures(6);
+  std::vector<LayerMeasure> measures(8);
   measures[1].metric = LayerMetric::slope;
   measures[1].weight = 1.0;
   measures[2].metric = LayerMetric::curvature;
@@ -122,6 +123,9 @@ TEST(LayerCache, MetricsCostsAndGapsAreNotMixedUp) {
   measures[3].cost.assign(layer.vert.size(), 2.0);
   measures[4].gap = {0.01, false};
   measures[5].gap = {0.01, true};
+  measures[6].placement = Placement({{{2, 0, 0, 0}, {0, 2, 0, 0}, {0, 0, 2, 0}, {0, 0, 0, 1}}}, "the layer");
+  measures[7].placement =
+      Placement({{{1, 0, 0, 1e-9}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}, "the layer");
   for (const LayerMeasure& one : measures) {
     LayerCache cache;
     const auto surface = read(layer, one);

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+import subprocess
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -259,6 +261,26 @@ def state(ms: pymeshlab.MeshSet) -> dict[str, np.ndarray]:
     if mesh.has_face_color():
         result["face colours"] = mesh.face_color_matrix().copy()
     return result
+
+
+def logged(setup: str, calls: list[str]) -> list[str]:
+    """What a verbose MeshSet `ms` logs in each of some calls.
+
+    In a process of its own: after a filter failed in this one, PyMeshLab leaves its output redirected.
+    """
+    script = [
+        "import ctypes, sys, conftest, numpy as np, pymeshlab, support",
+        "from support import *",
+        "conftest.pytest_configure(None)",
+        "ms = pymeshlab.MeshSet(verbose=True)",
+        *setup.split("\n"),
+    ]
+    for call in calls:
+        script += ["ctypes.CDLL(None).fflush(None)", "print('NEXT', file=sys.stderr, flush=True)", call]
+    done = subprocess.run(
+        [sys.executable, "-c", "\n".join(script)], cwd=Path(__file__).parent, capture_output=True, text=True, check=True
+    )
+    return done.stderr.split("NEXT\n")[1:]
 
 
 @contextmanager

@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 import itertools
-import subprocess
-import sys
 import time
-from pathlib import Path
 
 import numpy as np
 import pymeshlab
@@ -22,6 +19,7 @@ from support import (
     field,
     grid,
     length,
+    logged,
     mesh_set,
     select_vertices,
     sphere,
@@ -92,26 +90,6 @@ def test_index_of_the_build_filter_is_used_and_replaced():
         ms.apply_filter(INDEX, n1=patches)
         result = ms.apply_filter(PATCHES)
         assert (result["patches"], result["index_reused"]) == (patches, True)
-
-
-def logged(setup: str, calls: list[str]) -> list[str]:
-    """What a verbose MeshSet `ms` logs in each of some calls.
-
-    In a process of its own: after a filter failed in this one, PyMeshLab leaves its output redirected.
-    """
-    script = [
-        "import ctypes, sys, conftest, numpy as np, pymeshlab, support",
-        "from support import *",
-        "conftest.pytest_configure(None)",
-        "ms = pymeshlab.MeshSet(verbose=True)",
-        *setup.split("\n"),
-    ]
-    for call in calls:
-        script += ["ctypes.CDLL(None).fflush(None)", "print('NEXT', file=sys.stderr, flush=True)", call]
-    done = subprocess.run(
-        [sys.executable, "-c", "\n".join(script)], cwd=Path(__file__).parent, capture_output=True, text=True, check=True
-    )
-    return done.stderr.split("NEXT\n")[1:]
 
 
 def test_start_points_of_later_calls_are_found_on_the_mesh_of_now():

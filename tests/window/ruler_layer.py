@@ -9,7 +9,7 @@ FACTOR = "1.1"
 
 
 class RulerLayer(Script):
-    """Drags between the same places of the view; the vertices stay, only the layer's matrix changes."""
+    """Drags between the same places of the view; only the layer's matrix changes, by which the first gets stale."""
 
     meshes = ("sphere", "plate")
     window_type = RulerWindow

@@ -79,13 +79,13 @@ def test_path_around_the_hole_has_the_length_of_tangents_and_arc(seen, saved):
     ]
 
 
-def test_lengths_are_those_of_the_vertices_whatever_the_layers_matrix():
-    found = [
-        re.match(r"Ruler: distance \d: .* straight ([0-9.]+)", line) for line in written_down("ruler_layer")["log"]
-    ]
+def test_lengths_are_those_of_the_scene_whatever_the_layers_matrix():
+    seen = written_down("ruler_layer")
+    found = [re.match(r"Ruler: distance \d: .* straight ([0-9.]+)", line) for line in seen["log"]]
     before, scaled = (float(line[1]) for line in found if line)
-    # The same two places of the view: scaled up, less of the layer lies between them.
-    assert before / scaled == pytest.approx(1.1, rel=1e-4)
+    # The same two places of the view.
+    assert before == pytest.approx(scaled, rel=1e-4)
+    assert ["before an edit" in row[-1] for row in seen["rows"]] == [True, False]
 
 
 def test_path_on_the_sphere_is_a_great_circle(seen, saved):

@@ -33,6 +33,18 @@ TEST(VcgAdapter, DeletedElementsAreSkippedAndMapped) {
   EXPECT_EQ(arrays.positions[2], (Point{static_cast<float>(0.1 * 3), 1.0, 0.0})) << "promoted exactly";
 }
 
+TEST(VcgAdapter, PositionsAreThoseOfTheirPlaces) {
+  const auto mesh = strip<double>();
+  const auto twice = [](const Point& at) { return Point{2.0 * at[0], 2.0 * at[1], 2.0 * at[2]}; };
+  const VcgMeshArrays arrays = arrays_from_vcg(mesh, twice);
+  EXPECT_EQ(arrays.positions[3], twice(position_of(mesh.vert[3])));
+  EXPECT_TRUE(are_arrays_of(mesh, arrays, twice));
+  EXPECT_FALSE(are_arrays_of(mesh, arrays));
+  const auto beyond = [](const Point& at) { return Point{1e308 * at[0] * 1e9, at[1], at[2]}; };
+  EXPECT_EQ(test::refusal([&] { arrays_from_vcg(mesh, beyond); }).substr(0, 33),
+            "Vertex 1 has a coordinate that is");
+}
+
 TEST(VcgAdapter, ArraysAreThoseOfAMeshUntilItIsEdited) {
   auto mesh = strip<float>();
   mesh.vert[0].deleted = true;

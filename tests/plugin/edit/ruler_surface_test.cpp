@@ -70,6 +70,31 @@ TEST(RulerSurface, PathsOfAPlateAreStraightWithAndWithoutAnIndex) {
   }
 }
 
+TEST(RulerSurface, AMatrixMeasuresInTheSceneAndKeepsPointsInTheLayer) {
+  const test::Soup plate = test::plane_grid(12, 9, 4.0, 3.0, 0.2).soup;
+  // From the plate to a wall that is mirrored, twice as wide and three times as high.
+  LayerMeasure measure;
+  measure.placement = Placement({{{-2, 0, 0, 5}, {0, 0, -2, 6}, {0, 3, 0, 7}, {0, 0, 0, 1}}}, "the layer");
+  EXPECT_TRUE(measure.placement.is_mirrored());
+  VcgMeshArrays arrays = arrays_of(plate);
+  for (Point& at : arrays.positions) at = {5.0 - 2.0 * at[0], 6.0 - 2.0 * at[2], 7.0 + 3.0 * at[1]};
+  RulerSurface surface(std::make_shared<LayerSurface>(arrays, measure));
+  const std::vector<Point> ends{{0.31, 0.22, 0.0}, {3.4, 2.7, 0.0}};
+  const RulerAnswer path = surface.measure(MeasureKind::distance, picked(ends));
+  const double expected = std::hypot(2.0 * (3.4 - 0.31), 3.0 * (2.7 - 0.22));
+  EXPECT_NEAR(value_of(path, Quantity::length), expected, 1e-9);
+  EXPECT_NEAR(value_of(path, Quantity::straight), expected, 1e-9);
+  ASSERT_EQ(path.points.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(distance_between(path.points[i], ends[i]), 0.0, 1e-7);
+  EXPECT_NEAR(path.lines.lines.length(), distance_between(ends[0], ends[1]), 1e-9);
+  EXPECT_NEAR(path.lines.along.back(), expected, 1e-9);
+  // What is picked may be off by the tolerance in the scene, where this is twice as far.
+  EXPECT_FALSE(surface.measure(MeasureKind::distance, picked({ends[0], {3.4, 2.7, 0.7e-6}})).is_on_surface);
+  const RulerAnswer field = surface.field({{2.0, 1.5, 0.0}, tolerance});
+  EXPECT_NEAR(field.largest, std::hypot(4.0, 4.5), 1e-2);
+  for (const Point& at : field.isolines.points) EXPECT_NEAR(at[2], 0.0, 1e-12);
+}
+
 TEST(RulerSurface, PlacesBesideTheSurfaceAreNoEnds) {
   RulerSurface surface(layer_of(test::plane_grid(4, 4, 1.0, 1.0).soup));
   const Picked on{{0.5, 0.5, 0.0}, tolerance};
