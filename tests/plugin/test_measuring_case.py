@@ -14,8 +14,10 @@ from support import (
     PATH_THROUGH,
     POLYGON,
     PROJECT,
+    grid,
     layer_count,
     length,
+    mesh_set,
 )
 
 sys.path.insert(0, str(PROJECT / "samples"))
@@ -26,6 +28,8 @@ import mesh_input
 @pytest.fixture(scope="module")
 def script():
     """What the script measures."""
+    alive = mesh_set(*grid(1, 1))
+    alive.apply_filter("set_selection_none")  # see support.load
     ms = mesh_input.load(mesh_input.BUNNY)
     mesh = ms.current_mesh()
     surface = vorogeo.Surface(measuring_case.CENTIMETRES * mesh.vertex_matrix(), mesh.face_matrix())
