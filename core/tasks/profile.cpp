@@ -51,7 +51,7 @@ Point normal_at(const Mesh& mesh, const SurfacePoint& point) {
 }
 
 Profile profile(const Mesh& mesh, const std::function<const SurfaceLocator&()>& locate, const PointList& path,
-                const Point& up) {
+                const Point& up, bool turned_over) {
   if (!mesh.has_positions())
     throw InvalidInput("A profile needs the positions of the vertices, not lengths alone.");
   const double size = length_of(up);
@@ -67,7 +67,8 @@ Profile profile(const Mesh& mesh, const std::function<const SurfaceLocator&()>& 
     for_each_face_at(mesh, point, [&](Index face, const std::array<double, 3>&) {
       if (first == no_index && !mesh.is_bridge(face)) first = face;
     });
-    return moved({}, first != no_index && turned[first] ? -1.0 : 1.0, normal_at(mesh, point));
+    const bool is_turned = first != no_index && turned[first];
+    return moved({}, is_turned != turned_over ? -1.0 : 1.0, normal_at(mesh, point));
   };
   /// The normals of a face's corners, with the weights of a point.
   const auto between_corners = [&](Index face, const SurfacePoint& point) {

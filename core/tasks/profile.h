@@ -29,10 +29,11 @@ struct Profile {
   std::vector<double> thickness;
 };
 
-/// `locate`: returns a locator of the mesh. \throw InvalidInput for a point that is not on the mesh, two
-/// consecutive ones without a common face (names them), an `up` without direction, or a surface without
-/// positions. Complexity: O(faces), and for each point mostly O(log faces).
+/// `locate`: returns a locator of the mesh. `turned_over`: normals are on the other side. \throw InvalidInput
+/// for a point that is not on the mesh, two consecutive ones without a common face (names them), an `up`
+/// without direction, or a surface without positions. Complexity: O(faces), and for each point mostly O(log
+/// faces).
 Profile profile(const Mesh& mesh, const std::function<const SurfaceLocator&()>& locate, const PointList& path,
-                const Point& up);
+                const Point& up, bool turned_over = false);
 
 }  // namespace vorogeo

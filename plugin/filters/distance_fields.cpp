@@ -19,7 +19,6 @@
 #include "support/error.h"
 #include "tasks/curve_sources.h"
 #include "tasks/directions.h"
-#include "tasks/path_through.h"
 #include "tasks/signed_distance.h"
 
 namespace vorogeo::plugin {
@@ -264,27 +263,6 @@ Results distances_from_edges(FilterCall& call) {
 
 // ---- Distance from a closed curve or the border of a region, by side
 
-RichParameterList signed_parameters(const MeshDocument& document) {
-  return list_of(
-      RichMesh(
-          "curve_layer", static_cast<unsigned int>(document.mm()->id()), &document, "Curve layer",
-          "The layer with the closed curves, which are moved to the surface. The current layer: the border "
-          "of its selected faces."),
-      max_snap_distance_parameter(document));
-}
-
-/// By face of the layer's surface, whether it is selected. \throw InvalidInput if none is.
-std::vector<std::uint8_t> selected_region(const FilterCall& call, const LayerSurface& layer) {
-  std::vector<std::uint8_t> region;
-  for (const int face : layer.arrays().input_of_face) {
-    region.push_back(call.layer.cm.face[face].IsS() ? 1 : 0);
-  }
-  if (std::ranges::find(region, 1) != region.end()) return region;
-  throw InvalidInput(
-      "No face is selected. Select the faces of a region, or choose a layer with a closed curve as " +
-      named(call, "curve_layer") + ".");
-}
-
 Results signed_distances(FilterCall& call) {
   const auto layer = layer_of(call);
   const auto mesh = layer->mesh();
@@ -301,11 +279,8 @@ Results signed_distances(FilterCall& call) {
     std::vector<std::vector<SurfacePoint>> lines;
     const double share = 0.2 / static_cast<double>(curves.size());
     for (const TaskPoints& curve : curves) {
-      const bool ends_apart = curve.points[0] != curve.points[curve.size() - 1];
       const double done = share * static_cast<double>(lines.size());
-      lines.push_back(path_through(surface, curve.points, ends_apart,
-                                   {options.by, options.progress.part(done, done + share)})
-                          .path.points);
+      lines.push_back(closed_line(surface, curve, {options.by, options.progress.part(done, done + share)}));
     }
     return signed_distance(surface, lines, unreachable,
                            {options.by, options.progress.part(0.2, 1.0), options.answered});
@@ -585,7 +560,7 @@ std::vector<FilterRow> distance_rows() {
           "the vertices deepest inside and farthest outside, and <i>unreachable_vertices</i>.</p>"
           "<p>See:<br/><i>Joseph S. B. Mitchell, David M. Mount, Christos H. Papadimitriou</i><br/><b>\"The "
           "discrete geodesic problem\"</b><br/>SIAM Journal on Computing 16(4), 1987.</p>",
-          signed_parameters, signed_distances),
+          region_parameters, signed_distances),
       {"Geodesic directions from a given point (VoroGeo)",
        "compute_scalar_by_vorogeo_directions_from_given_point_per_vertex", help_on_directions(),
        FilterPlugin::FilterClass(FilterPlugin::Texture | FilterPlugin::VertexColoring |

@@ -1,5 +1,4 @@
 // Filters for many distances: matrices and lists of pairs, which they also write to files, and two sets.
-#include <QFile>
 #include <algorithm>
 #include <bit>
 #include <filesystem>
@@ -27,15 +26,6 @@ namespace {
 RichFileToWrite output_file_parameter() {
   return RichFileToWrite("matrix_file", "", "*.npy", "File",
                          "File to write to, in the format of numpy. Empty: nothing is written.");
-}
-
-/// Where to write; empty: nowhere. Refused before a long computation if it is not a plain file in an existing
-/// folder, or may not be written. \throw InvalidInput, FileError.
-std::filesystem::path output_file(const FilterCall& call) {
-  const std::filesystem::path file =
-      QFile::encodeName(call.parameters.getSaveFileName("matrix_file")).toStdString();
-  if (!file.empty()) output_target(file, "The file");
-  return file;
 }
 
 /// A file of rows x columns float64 values, row by row. Its disk space is reserved on construction, before
@@ -85,7 +75,7 @@ Results distance_matrix_of_selection(FilterCall& call) {
   require_memory(16.0 * static_cast<double>(k) * static_cast<double>(k), 0,
                  "The matrix of " + std::to_string(k) + " x " + std::to_string(k) + " distances",
                  "Give fewer points, or use the numpy interface, which can write it to a file directly.");
-  const auto file = output_file(call);
+  const auto file = output_file(call, "matrix_file", "The file");
   std::optional<NpyFile> output;
   if (!file.empty()) output.emplace(file, k, k);
   auto [matrix, answered, results] =
@@ -117,7 +107,7 @@ Results pairs_of_selection(FilterCall& call) {
   const auto layer = layer_of(call);
   const double radius = length_of(call, "radius", true);
   const TaskPoints points = task_points(call, *layer, "among which pairs are wanted");
-  const auto file = output_file(call);
+  const auto file = output_file(call, "matrix_file", "The file");
   auto [pairs, answered, results] =
       ask_task(call, *layer, "Pairs within the radius", [&](Surface& surface, const TaskOptions& options) {
         return pairs_within(surface, points.points, radius, 0, options);
@@ -162,7 +152,7 @@ Results nearest_points(FilterCall& call) {
   const auto layer = layer_of(call);
   const int neighbours = number_of(call, "neighbour_number", 1, ". Give 1 or more.");
   const TaskPoints queries = task_points(call, *layer, "whose nearest points are wanted");
-  const auto file = output_file(call);
+  const auto file = output_file(call, "matrix_file", "The file");
   const auto count = static_cast<std::size_t>(neighbours);
   require_memory(64.0 * static_cast<double>(queries.size()) * static_cast<double>(count), 0,
                  "The table of " + std::to_string(count) + " neighbours of " +

@@ -1,12 +1,10 @@
 // Filters that compare methods on the mesh, and list what they are.
 #include "methods/method_comparison.h"
 
-#include <QFile>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
-#include <span>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -19,7 +17,6 @@
 #include "layers/results.h"
 #include "query/rent_or_buy.h"
 #include "support/error.h"
-#include "support/file.h"
 #include "tasks/extent.h"
 
 namespace vorogeo::plugin {
@@ -36,16 +33,13 @@ RichParameterList table_parameters(const MeshDocument&) {
           "heat(delaunay=1). all: every method that works on this mesh, but ch, which is for small ones."),
       RichInt("sources", 3, "Sources",
               "Vertices from which each method computes a field, evenly spaced by number."),
-      RichFileToWrite("csv_file", "", "*.csv", "CSV file",
-                      "File to write the table to. Empty: nothing is written."));
+      csv_file_parameter());
 }
 
 Results measure_methods(FilterCall& call) {
   auto requests = parse_methods(call.parameters.getString("methods").toStdString());
   const int count = number_of(call, "sources", 1, ". Give 1 or more.");
-  const std::filesystem::path file =
-      QFile::encodeName(call.parameters.getSaveFileName("csv_file")).toStdString();
-  if (!file.empty()) output_target(file, "The CSV file");
+  const auto file = csv_file(call);
   const auto layer = layer_of(call);
   const auto mesh = layer->mesh();
   for (MethodRequest& request : requests) {
@@ -57,12 +51,7 @@ Results measure_methods(FilterCall& call) {
     return compare_methods(mesh, requests, sources, inner);
   });
   call.log(comparison_text(measures));
-  if (!file.empty()) {
-    const std::string csv = comparison_csv(measures);
-    OutputFile output(file, "The CSV file");
-    output.write(std::as_bytes(std::span(csv)));
-    output.finish();
-  }
+  write_csv(call, file, comparison_csv(measures));
   using M = MethodMeasure;
   return {{"methods", static_cast<int>(measures.size())},
           {"sources", static_cast<int>(sources.size())},

@@ -1,9 +1,16 @@
 // Filters for paths: the distance of two points; shortest paths between two and through several points,
-// smooth and tight curves, loops and girths, as layers.
+// smooth and tight curves, loops, girths and profiles, as layers.
+#include <QStringList>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <iomanip>
+#include <limits>
+#include <locale>
 #include <optional>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "filters/rows.h"
 #include "host/ticking.h"
@@ -16,6 +23,7 @@
 #include "tasks/girth.h"
 #include "tasks/loops.h"
 #include "tasks/path_through.h"
+#include "tasks/profile.h"
 
 namespace vorogeo::plugin {
 
@@ -61,6 +69,12 @@ Results distance_between_points(FilterCall& call) {
 }
 
 // ---- Filters: shortest paths between two points and through several, and smooth curves, as polyline layers
+
+/// A direction of the scene; not checked.
+Point vector_of(const FilterCall& call, const char* parameter) {
+  const Point3m given = call.parameters.getPoint3m(parameter);
+  return {double(given[0]), double(given[1]), double(given[2])};
+}
 
 /// Adds a path as a layer, in which the vertices are selected from which a step runs over a gap; logs its
 /// length. \return length, certified, points, steps_over_gaps, gap_length.
@@ -139,16 +153,19 @@ Results draw_path(FilterCall& call) {
 
 RichParameterList path_through_parameters(const MeshDocument& document) {
   return list_of(task_point_parameters(document, "points that the path shall pass through"),
-                 RichBool("closed", false, "Closed", "From the last point back to the first one."));
+                 RichBool("closed", false, "Closed", "From the last point back to the first one."),
+                 RichBool("guides", false, "Guides",
+                          "The points between the ends say which way the path leads, not where."));
 }
 
 Results draw_path_through(FilterCall& call) {
   const auto layer = layer_of(call);
   const TaskPoints points = task_points(call, *layer, "that the path shall pass through");
   const bool closed = call.parameters.getBool("closed");
-  return add_path_layer(call, "Geodesic path", *layer, points,
-                        ask_task_by(AnswerMethod::automatic, call, *layer, "Shortest path through points",
-                                    path_through, points.points, closed));
+  return add_path_layer(
+      call, "Geodesic path", *layer, points,
+      ask_task_by(AnswerMethod::automatic, call, *layer, "Shortest path through points",
+                  call.parameters.getBool("guides") ? tighten : path_through, points.points, closed));
 }
 
 RichParameterList smooth_curve_parameters(const MeshDocument& document) {
@@ -178,16 +195,109 @@ Results draw_tight_curve(FilterCall& call) {
                                     curve.points, true));
 }
 
+RichParameterList loop_parameters(const MeshDocument& document) {
+  return list_of(
+      start_parameters(document, "What the loop goes through: the nearest point of the surface"),
+      RichMesh(
+          "curve_layer", static_cast<unsigned int>(document.mm()->id()), &document, "Curve layer",
+          "The layer with a curve, moved to the surface, that goes round what the loop shall go round. The "
+          "current layer: the shortest of all loops."),
+      max_snap_distance_parameter(document));
+}
+
 Results draw_shortest_loop(FilterCall& call) {
   const auto layer = layer_of(call);
   const SnappedPoint start = start_point(call, *layer);
+  const TaskPoints like = curve_is_selected(call) ? TaskPoints() : curve_in_order(call, *layer);
   auto [loop, answered, results] = ask_task_by(AnswerMethod::exact, call, *layer, "Shortest loop",
-                                               shortest_loop, start.point, PointList{});
+                                               shortest_loop, start.point, like.points);
   rest_if_large(*layer, answered, layer->mesh()->vertex_count());
   call.progress.report(1.0, "Shortest loop");
   results.merge(add_path_layer(call, "Shortest loop", *layer->mesh(), loop));
   results["seconds"] = answered.seconds;
   results.merge(about_start(*layer, *layer->mesh(), start));
+  results["curve_snap_distance"] = like.snap_distance;
+  return results;
+}
+
+// ---- Filter: what lies along a curve, as a polyline layer with attributes and as a table
+
+/// By column of the table: its name, and its values.
+struct ProfileColumn {
+  const char* name;
+  const char* label;
+  std::vector<double> Profile::*values;
+};
+constexpr std::array<ProfileColumn, 5> profile_columns{{{"length", "Length", &Profile::along},
+                                                        {"height", "Height", &Profile::height},
+                                                        {"angle", "Angle", &Profile::angle},
+                                                        {"curvature", "Curvature", &Profile::curvature},
+                                                        {"thickness", "Thickness", &Profile::thickness}}};
+
+RichParameterList profile_parameters(const MeshDocument& document) {
+  QStringList labels;
+  for (const ProfileColumn& column : profile_columns) labels << column.label;
+  return list_of(curve_parameters(document),
+                 RichDirection("up", Point3m(0, 0, 1), "Up", "The direction in which heights count."),
+                 RichEnum("quality", 1, labels, "Quality", "Which of these the vertices have as quality."),
+                 csv_file_parameter());
+}
+
+std::string csv_of(const Profile& found) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << std::setprecision(std::numeric_limits<double>::max_digits10);
+  const auto add_row = [&](auto&& cell) {
+    for (const ProfileColumn& column : profile_columns) {
+      if (&column != profile_columns.data()) text << ',';
+      cell(column);
+    }
+    text << '\n';
+  };
+  add_row([&](const ProfileColumn& column) { text << column.name; });
+  for (std::size_t i = 0; i < found.along.size(); ++i) {
+    add_row([&](const ProfileColumn& column) { text << (found.*column.values)[i]; });
+  }
+  return text.str();
+}
+
+Results draw_profile(FilterCall& call) {
+  const auto file = csv_file(call);
+  const int quality = call.parameters.getEnum("quality");
+  if (quality < 0 || quality >= static_cast<int>(profile_columns.size())) {
+    refuse(call, "quality", quality, ". Give length, height, angle, curvature or thickness, or 0 to 4.");
+  }
+  const Point up = vector_of(call, "up");
+  const auto layer = layer_of(call);
+  const auto mesh = layer->mesh();
+  const TaskPoints curve = curve_in_order(call, *layer);
+  SurfacePath path;
+  const auto ask = [&](Surface& surface, const TaskOptions& options) {
+    path = path_through(surface, curve.points, false, options).path;
+    const auto locate = [&]() -> const SurfaceLocator& { return *layer->locator(); };
+    return profile(*mesh, locate, path.points, up, layer->placement().is_mirrored());
+  };
+  auto [found, answered, results] =
+      ask_task_by(AnswerMethod::automatic, call, *layer, "Profile of a curve", ask);
+  rest_if_large(*layer, answered, mesh->vertex_count());
+  write_csv(call, file, csv_of(found));
+  std::vector<double> shown = found.*profile_columns[static_cast<std::size_t>(quality)].values;
+  for (double& value : shown) value = std::isfinite(value) ? value : quality_without_distance;
+  add_polyline_layer(call.document, call.layer, "Profile", lines_of(*mesh, path).lines, shown, true);
+  CMeshO& line = call.document.mm()->cm;
+  for (const ProfileColumn& column : profile_columns) {
+    const std::vector<double>& values = found.*column.values;
+    auto attribute = vcg::tri::Allocator<CMeshO>::GetPerVertexAttribute<Scalarm>(line, column.name);
+    for (std::size_t i = 0; i < values.size(); ++i) attribute[i] = static_cast<Scalarm>(values[i]);
+    results[column.name] = as_vector(values);
+  }
+  const auto [lowest, highest] = std::ranges::minmax(found.height);
+  call.log("Profile of length " + logged_length(found.along.back()) + " over " +
+           std::to_string(found.along.size()) + " points, between the heights " + logged_length(lowest) +
+           " and " + logged_length(highest));
+  results["points"] = static_cast<int>(found.along.size());
+  results["snap_distance"] = curve.snap_distance;
+  results["seconds"] = answered.seconds;
   return results;
 }
 
@@ -204,9 +314,8 @@ Results draw_girth(FilterCall& call) {
   const auto layer = layer_of(call);
   const auto mesh = layer->mesh();
   const SnappedPoint start = start_point(call, *layer);
-  const Point3m given = call.parameters.getPoint3m("normal");
-  std::optional<Point> normal;
-  if (given != Point3m(0, 0, 0)) normal = Point{double(given[0]), double(given[1]), double(given[2])};
+  std::optional<Point> normal = vector_of(call, "normal");
+  if (normal == Point{}) normal.reset();
   auto [limb, answered, results] =
       ask_task_by(AnswerMethod::exact, call, *layer, "Girth", girth, start.point, normal);
   call.progress.report(1.0, "Girth");
@@ -260,12 +369,15 @@ std::vector<FilterRow> path_rows() {
       {"Shortest path through points (VoroGeo)", "generate_polyline_by_vorogeo_path_through_points",
        "<p>The shortest path over the surface that passes points in their order, as a new polyline layer, "
        "which becomes the current one; the quality of its vertices is the length up to there. With "
-       "<b>Closed</b> it goes from the last point back to the first. Vertices from which a step runs over a "
-       "bridged gap are selected.</p>" +
+       "<b>Closed</b> it goes from the last point back to the first. With <b>Guides</b> it is pulled tight, "
+       "with its ends held or, if closed, all the way round: the points between say which way it leads. "
+       "Vertices from which a step runs over a bridged gap are selected.</p>" +
            help_on_task_points() +
            "<p>How to choose: the vertices of a point layer are passed in the order in which that has them, "
            "selected ones in that of their numbers. Each leg is the exact shortest path; an index only makes "
-           "it faster.</p><p>Returns the <i>length</i>, the number of <i>points</i> and whether the path is "
+           "it faster. Guides lead past the side of a hole, a handle or a limb that a shortest path would "
+           "not "
+           "take.</p><p>Returns the <i>length</i>, the number of <i>points</i> and whether the path is "
            "<i>certified</i>: proven to be the shortest through these points.</p>" +
            references_of_index(),
        FilterPlugin::Measure, MeshModel::MM_NONE, path_through_parameters, draw_path_through},
@@ -307,17 +419,35 @@ std::vector<FilterRow> path_rows() {
        "a tunnel, or between two borders. The result is a new polyline layer, which becomes the current one; "
        "the quality of its vertices is the length up to there.</p><p>The loop goes through the point of the "
        "surface nearest to <b>Start point</b>, which need not be a vertex, or, if its number is given, "
-       "through <b>Start vertex</b>. There it may bend; elsewhere it is straight.</p><p>How to choose: on a "
+       "through <b>Start vertex</b>. There it may bend; elsewhere it is straight. If <b>Curve layer</b> is "
+       "another layer, the loop is the one to which its curve, led to the point, can be pulled: round the "
+       "same handle, say. The points of the curve are moved to the surface, by "
+       "<i>curve_snap_distance</i> at most.</p><p>How to choose: on a "
        "surface without handles and with at most one border, such as a ball, every loop contracts, which is "
        "an error; take <i>Geodesic girth at a point (VoroGeo)</i> there. Exact, without an index.</p>"
        "<p>Returns the <i>length</i> and the number of <i>points</i>. The mesh is not changed.</p>"
        "<p>See:<br/><i>Jeff Erickson, Sariel Har-Peled</i><br/><b>\"Optimally cutting a surface into a "
        "disk\"</b><br/>Discrete and Computational Geometry 31(1), 2004.</p>",
-       FilterPlugin::Measure, MeshModel::MM_NONE,
-       [](const MeshDocument& document) {
-         return start_parameters(document, "What the loop goes through: the nearest point of the surface");
-       },
-       draw_shortest_loop},
+       FilterPlugin::Measure, MeshModel::MM_NONE, loop_parameters, draw_shortest_loop},
+      {"Profile of a curve (VoroGeo)", "generate_polyline_by_vorogeo_profile",
+       "<p>What lies along a curve over the surface: the length so far, the height in the direction "
+       "<b>Up</b>, the angle of the normal with it (in radians: 0 on level ground, a quarter turn on a "
+       "wall), "
+       "the curvature of the surface in the direction of the curve (1/r round a ball, below 0 in hollows), "
+       "and the thickness, how far it is against the normal to the next face. The curve is a new polyline "
+       "layer, which becomes the current one, with these five as custom attributes of its vertices, and "
+       "<b>Quality</b> says which of them is the quality; where it is infinite, the quality is -1. "
+       "<b>CSV file</b> writes them as a table.</p>" +
+           help_on_curve() +
+           "<p>How to choose: the curve is one line that does not branch; shortest paths join its points, "
+           "and "
+           "those of a layer without lines in their order. Normals are those of most faces: where they lead "
+           "inwards, turn all faces over first. Curvature comes from the normals of the vertices and is as "
+           "rough as these.</p><p>Returns the columns of the table as vectors: <i>length</i>, "
+           "<i>height</i>, <i>angle</i>, <i>curvature</i>, <i>thickness</i> (infinity where no face lies "
+           "below). The mesh is not changed.</p>" +
+           references_of_index(),
+       FilterPlugin::Measure, MeshModel::MM_NONE, profile_parameters, draw_profile},
       {"Geodesic girth at a point (VoroGeo)", "generate_polyline_by_vorogeo_girth",
        "<p>How far it is round a limb, in three ways, each as a new polyline layer whose quality is the "
        "length so far. The <i>section</i>, which becomes the current layer, is where a plane through the "

@@ -1,5 +1,5 @@
 // Filters that divide the surface: Voronoi regions, cut loci, patches in colours, isolines, cuts, polygons,
-// extent, disks and bands.
+// areas of regions, extent, disks and bands.
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
@@ -27,6 +27,7 @@
 #include "tasks/extent.h"
 #include "tasks/path_through.h"
 #include "tasks/polygon.h"
+#include "tasks/region_areas.h"
 #include "tasks/surface_lines.h"
 #include "tasks/voronoi_regions.h"
 
@@ -393,11 +394,53 @@ Results measure_band(FilterCall& call) {
   return results;
 }
 
+// ---- Filter: the area of selected faces or inside a curve
+
+Results measure_region(FilterCall& call) {
+  const auto layer = layer_of(call);
+  const auto mesh = layer->mesh();
+  RegionArea found;
+  Results results;
+  std::string what = "the selected faces";
+  if (curve_is_selected(call)) {
+    std::vector<Index> label;
+    for (const auto is_selected : selected_region(call, *layer)) label.push_back(is_selected ? 0 : no_index);
+    log_warnings(call, *layer);
+    found = run_ticking(call.progress, "Area of a region", [&](const Progress& progress) {
+      return region_areas(*mesh, label, 1, {AnswerMethod::automatic, progress}).front();
+    });
+    results["snap_distance"] = 0.0;
+  } else {
+    what = "the inside of the curve";
+    const TaskPoints curve = curve_in_order(call, *layer);
+    const auto ask = [&](Surface& surface, const TaskOptions& options) {
+      return enclosed_area(*mesh, closed_line(surface, curve, options), {options.by, options.progress});
+    };
+    auto answer = ask_task_by(AnswerMethod::automatic, call, *layer, "Area of a region", ask);
+    rest_if_large(*layer, answer.answered, mesh->vertex_count());
+    found = answer.found;
+    results = std::move(answer.about);
+    results["snap_distance"] = curve.snap_distance;
+  }
+  std::ostringstream text;
+  text << "Area of " << what << ": " << std::setprecision(7) << found.area
+       << " square mesh units; the border is " << logged_length(found.border_length) << " long";
+  if (std::isfinite(found.volume)) text << "; it encloses " << found.volume << " cubic mesh units";
+  call.log(text.str());
+  results["area"] = found.area;
+  results["border_length"] = found.border_length;
+  results["volume"] = found.volume;
+  return results;
+}
+
 // ---- Filter: a polygon of shortest paths
 
 RichParameterList polygon_parameters(const MeshDocument& document) {
-  return list_of(task_point_parameters(document, "corners of the polygon"),
-                 RichBool("cut_out", false, "Cut out", "Add the inside as a layer, cut along the border."));
+  return list_of(
+      task_point_parameters(document, "corners of the polygon"),
+      RichBool("convex_hull", false, "Convex hull",
+               "The shortest closed curve around the points instead, with some of them as corners."),
+      RichBool("cut_out", false, "Cut out", "Add the inside as a layer, cut along the border."));
 }
 
 Results draw_polygon(FilterCall& call) {
@@ -405,8 +448,10 @@ Results draw_polygon(FilterCall& call) {
   const auto mesh = layer->mesh();
   const TaskPoints corners = task_points(call, *layer, "that are the corners of the polygon");
   const bool cut_out = call.parameters.getBool("cut_out");
-  auto [polygon, answered, results] = ask_task_by(
-      AnswerMethod::automatic, call, *layer, "Polygon of shortest paths", geodesic_polygon, corners.points);
+  const bool is_hull = call.parameters.getBool("convex_hull");
+  auto [polygon, answered, results] =
+      ask_task_by(AnswerMethod::automatic, call, *layer, "Polygon of shortest paths",
+                  is_hull ? convex_hull : geodesic_polygon, corners.points);
   rest_if_large(*layer, answered, mesh->vertex_count());
   call.progress.report(1.0, "Polygon of shortest paths");
   SurfacePath border;
@@ -423,16 +468,16 @@ Results draw_polygon(FilterCall& call) {
   add_polyline_layer(call.document, call.layer, "Geodesic polygon", line.lines, line.along, true);
   if (cut_out) add_part_layer(call, "Polygon: inside", *layer, *mesh, polygon.cut, polygon.cut_faces);
   std::ostringstream text;
-  text << "Polygon of " << corners.size() << " " << corners.what << ": area " << std::setprecision(7)
-       << polygon.area << " square mesh units, perimeter " << logged_length(polygon.perimeter) << "; "
-       << polygon.faces.size() << " faces inside are selected";
+  text << (is_hull ? "Convex hull of " : "Polygon of ") << corners.size() << " " << corners.what << ": area "
+       << std::setprecision(7) << polygon.area << " square mesh units, perimeter "
+       << logged_length(polygon.perimeter) << "; " << polygon.faces.size() << " faces inside are selected";
   call.log(text.str());
   results["area"] = polygon.area;
   results["perimeter"] = polygon.perimeter;
   results["angles"] = as_vector(polygon.angles);
   results["curvature"] = polygon.curvature;
   results["gauss_bonnet"] = polygon.gauss_bonnet;
-  results["vertices"] = as_vector(corners.numbers);
+  results["vertices"] = as_vector(polygon.corners, [&](Index corner) { return corners.numbers[corner]; });
   results["selected_faces"] = static_cast<int>(polygon.faces.size());
   results["snap_distance"] = corners.snap_distance;
   results["seconds"] = answered.seconds;
@@ -580,12 +625,30 @@ std::vector<FilterRow> region_rows() {
            "<i>snap_distance</i>.</p>" +
            help_on_exact_parameter() + references_of_index(),
        FilterPlugin::Measure, MeshModel::MM_NONE, band_parameters, measure_band},
+      {"Area of a region (VoroGeo)", "get_vorogeo_area_of_region",
+       "<p>The area of a region and the length of its border, and if it has no border the volume that it "
+       "encloses. The region is the selected faces of the layer or, if <b>Curve layer</b> is another one, "
+       "the "
+       "inside of the closed curve of that: the side without a border of the surface or, if both or none "
+       "have "
+       "one, the smaller one. Faces that the curve crosses count in part.</p><p>The points of the curve are "
+       "moved to the nearest point of the surface; <i>snap_distance</i> is the farthest move, and one of "
+       "more "
+       "than <b>Max snap distance</b> is an error unless that is 0.</p><p>How to choose: the curve is one "
+       "line that does not branch; shortest paths join its points, those of a layer without lines in their "
+       "order, and the ends of an open one. It must not touch itself, and has to divide the surface. For "
+       "several regions apply the filter once for each.</p><p>Returns <i>area</i>, <i>border_length</i> and "
+       "<i>volume</i> (not a number where there is a border). The mesh is not changed.</p>" +
+           references_of_index(),
+       FilterPlugin::Measure, MeshModel::MM_NONE, region_parameters, measure_region},
       {"Polygon of shortest paths (VoroGeo)", "generate_polyline_by_vorogeo_polygon",
        "<p>A polygon whose sides are the shortest paths from each point to the next, and from the last to "
        "the first: its area, perimeter and angles. The border is a new polyline layer, which becomes the "
        "current one; the quality of its vertices is the length up to there. The faces that are whole inside "
        "are selected, no others. With <b>Cut out</b>, the inside becomes a layer as well: faces are divided "
-       "where the border crosses them, and keep colours, quality, normals and texture coordinates.</p>" +
+       "where the border crosses them, and keep colours, quality, normals and texture coordinates. With "
+       "<b>Convex hull</b>, it is the shortest closed curve around the points: some of them are its corners, "
+       "the <i>vertices</i> that are returned, and no angle is above half a turn.</p>" +
            help_on_task_points() +
            "<p>How to choose: give three points or more in an order in which no sides cross, by "
            "<b>Surface points</b> or a point layer: selected vertices come in the order of their numbers. "

@@ -10,6 +10,7 @@
 
 #include "support/lists.h"
 #include "tasks/curve_sources.h"
+#include "tasks/path_through.h"
 
 namespace vorogeo::plugin {
 
@@ -218,6 +219,32 @@ TaskPoints curve_in_order(const FilterCall& call, LayerSurface& layer) {
   };
   throw InvalidInput("The curve is in several parts: " + first(0) + " is on one of them, " + first(1) +
                      " on another. Leave one.");
+}
+
+std::vector<SurfacePoint> closed_line(Surface& surface, const TaskPoints& curve, const TaskOptions& options) {
+  const bool ends_apart = curve.points[0] != curve.points[curve.size() - 1];
+  return path_through(surface, curve.points, ends_apart, options).path.points;
+}
+
+// ---- Regions
+
+RichParameterList region_parameters(const MeshDocument& document) {
+  return list_of(
+      RichMesh("curve_layer", static_cast<unsigned int>(document.mm()->id()), &document, "Curve layer",
+               "The layer with what bounds the region: closed curves, which are moved to the surface. The "
+               "current layer: its selected faces are the region."),
+      max_snap_distance_parameter(document));
+}
+
+std::vector<std::uint8_t> selected_region(const FilterCall& call, const LayerSurface& layer) {
+  std::vector<std::uint8_t> region;
+  for (const int face : layer.arrays().input_of_face) {
+    region.push_back(call.layer.cm.face[face].IsS() ? 1 : 0);
+  }
+  if (std::ranges::find(region, 1) != region.end()) return region;
+  throw InvalidInput(
+      "No face is selected. Select the faces of a region, or choose a layer with a closed curve as " +
+      named(call, "curve_layer") + ".");
 }
 
 }  // namespace vorogeo::plugin

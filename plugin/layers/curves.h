@@ -2,12 +2,14 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "exact/exact_solver.h"
 #include "host/filter_row.h"
 #include "layers/layer_surface.h"
 #include "layers/points.h"
+#include "tasks/workers.h"
 
 namespace vorogeo::plugin {
 
@@ -49,5 +51,13 @@ CurveSources points_along_curve(const FilterCall& call, LayerSurface& layer, dou
 std::vector<TaskPoints> curves_in_order(const FilterCall& call, LayerSurface& layer);
 /// The same of one curve. \throw InvalidInput also where there are several.
 TaskPoints curve_in_order(const FilterCall& call, LayerSurface& layer);
+
+/// The points of a curve, joined by shortest paths and closed: each shares a face with the next.
+std::vector<SurfacePoint> closed_line(Surface& surface, const TaskPoints& curve, const TaskOptions& options);
+
+/// The parameters curve_layer and max_snap_distance of filters about a region.
+RichParameterList region_parameters(const MeshDocument& document);
+/// By face of the layer's surface, whether it is selected. \throw InvalidInput if none is.
+std::vector<std::uint8_t> selected_region(const FilterCall& call, const LayerSurface& layer);
 
 }  // namespace vorogeo::plugin

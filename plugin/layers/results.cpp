@@ -4,6 +4,7 @@
 #include <vcg/complex/algorithms/update/normal.h>
 #include <vcg/complex/allocate.h>
 
+#include <QFile>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +14,7 @@
 
 #include "layers/points.h"
 #include "mesh/mesh_input.h"
+#include "support/file.h"
 
 namespace vorogeo::plugin {
 
@@ -168,6 +170,32 @@ void add_part_layer(FilterCall& call, const QString& name, const LayerSurface& l
     if (part.hasDataMask(MeshModel::MM_FACEQUALITY)) face.Q() = given.cQ();
   }
   vcg::tri::UpdateNormal<CMeshO>::PerFaceNormalized(part.cm);
+}
+
+// ---- Files
+
+std::filesystem::path output_file(const FilterCall& call, const char* parameter, const char* what) {
+  const std::filesystem::path file =
+      QFile::encodeName(call.parameters.getSaveFileName(parameter)).toStdString();
+  if (!file.empty()) output_target(file, what);
+  return file;
+}
+
+RichFileToWrite csv_file_parameter() {
+  return RichFileToWrite("csv_file", "", "*.csv", "CSV file",
+                         "File to write the table to. Empty: nothing is written.");
+}
+
+std::filesystem::path csv_file(const FilterCall& call) {
+  return output_file(call, "csv_file", "The CSV file");
+}
+
+void write_csv(FilterCall& call, const std::filesystem::path& file, const std::string& text) {
+  if (file.empty()) return;
+  OutputFile output(file, "The CSV file");
+  output.write(std::as_bytes(std::span(text)));
+  output.finish();
+  call.log("Table written to " + file.string());
 }
 
 // ---- Lengths

@@ -1,6 +1,7 @@
 // What filters leave behind: distances as vertex quality, and new layers.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <span>
 #include <string>
@@ -52,6 +53,19 @@ QVariant add_surface_point_layer(FilterCall& call, const QString& name, const La
 /// a face these are interpolated. Vertices keep their order.
 void add_part_layer(FilterCall& call, const QString& name, const LayerSurface& layer, const Mesh& mesh,
                     const CutMesh& cut, std::span<const Index> faces);
+
+// ---- Files
+
+/// The file that a parameter names; empty: none. Refused before a long computation if it is not a plain file
+/// in an existing folder, or may not be written. `what` begins the message: "The CSV file". \throw
+/// InvalidInput, FileError.
+std::filesystem::path output_file(const FilterCall& call, const char* parameter, const char* what);
+
+/// The parameter csv_file, and its file. The whole text is written, or nothing; nothing without a name.
+/// \throw FileError.
+RichFileToWrite csv_file_parameter();
+std::filesystem::path csv_file(const FilterCall& call);
+void write_csv(FilterCall& call, const std::filesystem::path& file, const std::string& text);
 
 // ---- Lengths and numbers
 

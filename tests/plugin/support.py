@@ -53,6 +53,8 @@ CUT_LOCUS = "generate_polyline_by_vorogeo_cut_locus"
 MEAN = "generate_sampling_vorogeo_mean"
 SIGNED = "compute_scalar_by_vorogeo_signed_distance_per_vertex"
 PATH_THROUGH = "generate_polyline_by_vorogeo_path_through_points"
+PROFILE = "generate_polyline_by_vorogeo_profile"
+REGION = "get_vorogeo_area_of_region"
 GIRTH = "generate_polyline_by_vorogeo_girth"
 DIRECTIONS = "compute_scalar_by_vorogeo_directions_from_given_point_per_vertex"
 
@@ -86,10 +88,11 @@ FILTERS: dict[str, tuple[set[str], int]] = {
     ),
     TWO_POINTS: ({"method"} | END_POINTS, 0),
     PATH: ({"method", "exact", "certify"} | END_POINTS, 0),
-    PATH_THROUGH: ({"closed"} | TASK_POINTS, 0),
+    PATH_THROUGH: ({"closed", "guides"} | TASK_POINTS, 0),
     SMOOTH: ({"closed", "samples"} | TASK_POINTS, 0),
     TIGHT: ({"curve_layer", "max_snap_distance"}, 0),
-    LOOP: ({"start_point", "vertex_index"}, 0),
+    LOOP: ({"start_point", "vertex_index", "curve_layer", "max_snap_distance"}, 0),
+    PROFILE: ({"curve_layer", "max_snap_distance", "up", "quality", "csv_file"}, 0),
     GIRTH: ({"start_point", "vertex_index", "normal"}, 0),
     MATRIX: ({"matrix_file", "exact"} | TASK_POINTS, 0),
     PAIRS_WITHIN: ({"radius", "matrix_file", "exact"} | TASK_POINTS, 0),
@@ -104,7 +107,8 @@ FILTERS: dict[str, tuple[set[str], int]] = {
     DISK: ({"radius", "vertex_index", "exact"} | TASK_POINTS, VERTEX_SELECTION | FACE_SELECTION),
     AREA: ({"radius", "vertex_index", "exact"} | TASK_POINTS, 0),
     BAND: ({"width", "curve_layer", "max_snap_distance", "spacing", "exact"}, 0),
-    POLYGON: ({"cut_out"} | TASK_POINTS, FACE_SELECTION),
+    REGION: ({"curve_layer", "max_snap_distance"}, 0),
+    POLYGON: ({"cut_out", "convex_hull"} | TASK_POINTS, FACE_SELECTION),
     EXTENT: ({"fields", "vertex_index", "exact"}, 0),
     FARTHEST: ({"sample_number", "radius", "from_selection", "seed", "exact"} | TASK_POINTS, 0),
     POISSON: ({"radius", "seed", "exact"}, 0),

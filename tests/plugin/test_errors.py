@@ -40,6 +40,8 @@ from support import (
     PATH_THROUGH,
     POISSON,
     POLYGON,
+    PROFILE,
+    REGION,
     SAVE_INDEX,
     SETS,
     SIGNED,
@@ -179,12 +181,15 @@ REFUSED = [
     (LOOP, {"vertex_index": 5}, "Every loop through vertex 5 contracts to it"),
     *[
         (name, {}, "No edge is selected. Select edges, for example with 'Select Crease Edges', or choose a layer")
-        for name in (TIGHT, BAND, CUT_CURVE)
+        for name in (TIGHT, BAND, CUT_CURVE, PROFILE)
     ],
-    (SIGNED, {}, 'No face is selected. Select the faces of a region, or choose a layer with a closed curve as "Curve'),
+    *[
+        (name, {}, 'No face is selected. Select the faces of a region, or choose a layer with a closed curve as "Curve')
+        for name in (SIGNED, REGION)
+    ],
     *[
         (name, parameters, message)
-        for name in (TIGHT, BAND, CUT_CURVE, SIGNED)
+        for name in (TIGHT, BAND, CUT_CURVE, SIGNED, PROFILE, REGION, LOOP)
         for parameters, message in [
             ({"curve_layer": 7}, "(curve_layer) is 7, but there is no such layer"),
             ({"curve_layer": 1, "max_snap_distance": NEAR}, "Vertex 0 of layer 1 is 0.5"),
@@ -194,8 +199,12 @@ REFUSED = [
     (TIGHT, {"curve_layer": 1}, "The curve has 1 points; give at least two, in order"),
     *[
         (name, {"curve_layer": 1}, "There are 1 points to pass through; give at least two")
-        for name in (CUT_CURVE, SIGNED)
+        for name in (CUT_CURVE, SIGNED, PROFILE, REGION)
     ],
+    (PROFILE, {"csv_file": "/nowhere/table.csv"}, "/nowhere"),
+    (PATH_THROUGH, {"guides": True}, "The curve has 1 points; give at least two, in order"),
+    (PATH_THROUGH, {"surface_points": "0; 3; 15", "guides": True, "closed": True}, "slips off"),
+    (POLYGON, {"surface_points": "0; 3; 2", "convex_hull": True}, "on one line"),
     (SMOOTH, {}, "There are 1 points for a curve; give at least 2"),
     (SMOOTH, {"surface_points": "0; 3", "closed": True}, "There are 2 points for a curve; give at least 3"),
     (SMOOTH, {"surface_points": "0; 3", "samples": 0}, "(samples) is 0. Give 1 or more"),

@@ -25,6 +25,8 @@ from support import (
     NEAREST,
     PATCHES,
     POLYGON,
+    PROFILE,
+    REGION,
     SETS,
     SIGNED,
     TIGHT,
@@ -52,6 +54,8 @@ NEEDED = {
     CUT_CURVE: "curve_layer=1",
     SIGNED: "curve_layer=1",
     BAND: "curve_layer=1",
+    PROFILE: "curve_layer=1",
+    REGION: "curve_layer=1",
     POLYGON: "point_layer=1",
 }
 

@@ -29,6 +29,8 @@ from support import (
     PATH,
     PATH_THROUGH,
     POLYGON,
+    PROFILE,
+    REGION,
     SAVE_INDEX,
     SETS,
     SIGNED,
@@ -43,6 +45,7 @@ from support import (
     logged,
     mesh_set,
     select_vertices,
+    sphere,
     tube,
 )
 
@@ -98,6 +101,8 @@ NEEDED = {
     CUT_CURVE: {"curve_layer": 1},
     SIGNED: {"curve_layer": 1},
     BAND: {"curve_layer": 1, "exact": True},
+    PROFILE: {"curve_layer": 1, "up": np.array([1.0, -2.0, 0.5])},
+    REGION: {"curve_layer": 1},
     ISOLINES: {"is_distance": False},
     CUT: {"is_distance": False, "line_number": 3},
     FARTHEST: {"sample_number": 9, "exact": True},
@@ -152,6 +157,8 @@ def compared(ms: pymeshlab.MeshSet, name: str, **parameters: object) -> dict[str
     return result
 
 
+# A mirrored layer that is frozen is turned inside out.
+TURNED = (DIRECTIONS, PROFILE)
 MATRICES = {
     "scaled": lambda rng: matrix_of(2 * np.eye(3)),
     "stretched": lambda rng: matrix_of(rotation(rng) @ np.diag([1, 2, 0.5]), (1, 2, 3)),
@@ -161,14 +168,15 @@ MATRICES = {
 
 
 @pytest.mark.parametrize("matrix", MATRICES)
-@pytest.mark.parametrize("name", [name for name in ALL_FILTERS if name != DIRECTIONS])
+@pytest.mark.parametrize("name", [name for name in ALL_FILTERS if name not in TURNED])
 def test_a_filter_answers_as_on_the_frozen_layer(name, matrix):
     assert_as_frozen(name, matrix)
 
 
 @pytest.mark.parametrize("matrix", [name for name in MATRICES if name != "mirrored"])
-def test_directions_are_those_of_the_frozen_layer(matrix):
-    assert_as_frozen(DIRECTIONS, matrix)
+@pytest.mark.parametrize("name", TURNED)
+def test_what_depends_on_the_outside_is_that_of_the_frozen_layer(name, matrix):
+    assert_as_frozen(name, matrix)
 
 
 @pytest.mark.parametrize("metric", ["Vertex quality as cost", "Slope penalty", "Along curvature"])
@@ -257,6 +265,18 @@ def test_directions_turn_counter_clockwise_as_the_scene_is_seen():
         at = in_scene(ms) - in_scene(ms)[12]
         angle = np.delete(np.arctan2(at[:, 1], at[:, 0]) - field(ms), 12)
         np.testing.assert_allclose(np.exp(1j * angle), np.exp(1j * angle[0]), atol=1e-9)
+
+
+def test_a_mirrored_ball_is_as_thick_and_round_as_it_was():
+    vertices, faces = sphere(3)
+    ms = mesh_set(vertices, faces)
+    set_matrix(ms, 0, matrix_of(np.diag([2.0, -2.0, 2.0])))
+    ms.apply_filter(PATH, source=5, target=100)
+    ms.set_current_mesh(0)
+    found = ms.apply_filter(PROFILE, curve_layer=1)
+    np.testing.assert_allclose(found["thickness"], 4, rtol=0.02)
+    np.testing.assert_allclose(found["curvature"][1:-1].mean(), 0.5, rtol=0.05)
+    np.testing.assert_allclose(2 * np.cos(found["angle"]), found["height"], atol=0.1)
 
 
 def test_parts_of_a_mirrored_layer_are_turned_as_it_is():
