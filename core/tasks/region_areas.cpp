@@ -3,8 +3,9 @@
 
 #include <array>
 #include <cmath>
-#include <map>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "mesh/orientation.h"
 #include "mesh/vectors.h"
@@ -52,6 +53,29 @@ std::vector<RegionArea> region_areas(const Mesh& mesh, std::span<const Index> la
   return found;
 }
 
+namespace {
+
+/// The points of a closed line in their order, each once. A stretch that is passed forth and at once back, as
+/// neighbouring legs may begin together, encloses nothing and is left out.
+std::vector<Index> without_spurs(const std::vector<Index>& line) {
+  std::vector<Index> open;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    if (open.size() > 1 && open[open.size() - 2] == line[i]) {
+      open.pop_back();
+    } else {
+      open.push_back(line[i]);
+    }
+  }
+  std::size_t first = 0;
+  while (open.size() > first + 2 && open[first + 1] == open.back()) {
+    open.pop_back();
+    ++first;
+  }
+  return {open.begin() + static_cast<std::ptrdiff_t>(first), open.end()};
+}
+
+}  // namespace
+
 RegionArea enclosed_area(const Mesh& mesh, const PointList& given, const TaskOptions& options) {
   const PointList curve = points_on(mesh, given, "Point");
   if (curve.size() < 3 || !is_same_point(mesh, curve[0], curve[curve.size() - 1])) {
@@ -62,16 +86,21 @@ RegionArea enclosed_area(const Mesh& mesh, const PointList& given, const TaskOpt
   std::vector<SurfacePoint> points(curve.begin(), curve.end());
   points.back() = points.front();
   CutMesh cut = cut_along(mesh, {points}, options.progress);
-  const std::vector<Index>& line = cut.lines.front();
-  std::map<Index, std::size_t> place;
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    if (place.emplace(line[i], i).second) continue;
-    throw InvalidInput("The curve crosses or touches itself at " + name_of(mesh, cut.points[line[i]]) +
+  const std::vector<Index> border = without_spurs(cut.lines.front());
+  if (border.size() < 3) {
+    throw InvalidInput("The curve has no length or leads only forth and back, so it encloses no area.");
+  }
+  std::set<Index> passed;
+  std::vector<SurfacePoint> around;
+  for (const Index point : border) {
+    around.push_back(cut.points[point]);
+    if (passed.insert(point).second) continue;
+    throw InvalidInput("The curve crosses or touches itself at " + name_of(mesh, cut.points[point]) +
                        "; give one that passes each place once.");
   }
-  if (line.size() < 4) throw InvalidInput("The curve has no length, so it encloses no area.");
+  around.push_back(around.front());
   const EnclosedPart inside(mesh, std::move(cut), "The curve's parts");
-  return {inside.area(), measured_length(mesh, points).length};
+  return {inside.area(), measured_length(mesh, around).length};
 }
 
 }  // namespace vorogeo

@@ -23,9 +23,9 @@ std::vector<RegionArea> region_areas(const Mesh& mesh, std::span<const Index> la
                                      const TaskOptions& options = {});
 
 /// Of the side of a closed curve without border of the mesh, else of the smaller one (EnclosedPart). The
-/// border is the curve. \throw InvalidInput for a curve that is not closed, crosses or touches itself (names
-/// its points), or has one and the same side, and as cut_along(); Cancelled. Complexity: O(n log n) for n
-/// faces.
+/// border is the curve, without what it passes forth and at once back. \throw InvalidInput for a curve that
+/// is not closed, crosses or touches itself (names its points), or has one and the same side, and as
+/// cut_along(); Cancelled. Complexity: O(n log n) for n faces.
 RegionArea enclosed_area(const Mesh& mesh, const PointList& curve, const TaskOptions& options = {});
 
 }  // namespace vorogeo

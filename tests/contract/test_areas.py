@@ -94,6 +94,20 @@ def crossing() -> Floats:
         [0.1, 0.1, 0], [0.9, 0.9, 0], [0.9, 0.1, 0], [0.1, 0.9, 0]]  # fmt: skip
 
 
+def test_what_a_curve_passes_forth_and_back_encloses_nothing(random: Rng) -> None:
+    angles = random.uniform(0, 2 * np.pi) + np.radians([0, 120, 240]) + random.uniform(-0.4, 0.4, 3)
+    directions = np.column_stack([np.cos(angles), np.sin(angles)])
+    corners = 0.5 + np.vstack([0.25 * directions, 0.4 * directions[1]])  # the last one behind the second
+    low, size = PLANE.vertices.min(axis=0), np.ptp(PLANE.vertices, axis=0)
+    surface = ask.surface(PLANE)
+    points = surface.snap(low + size * np.column_stack([corners, np.zeros(4)]))
+    a, b, c = points.positions(PLANE.vertices, PLANE.faces)[:3, :2]
+    for order in ([0, 1, 3, 1, 2], [3, 1, 2, 0, 1]):  # in the middle of the curve, and where it begins
+        found = surface.area(inside=surface.path_through(points[order], closed=True))
+        assert found.area == pytest.approx(abs(np.linalg.det([b - a, c - a])) / 2)
+        assert found.border_length == pytest.approx(sum(np.linalg.norm(p - q) for p, q in ((a, b), (b, c), (c, a))))
+
+
 REFUSED: dict[str, tuple[Any, str]] = {
     "nothing": (lambda s: s.area(), "Give one of faces, vertices and inside"),
     "two": (lambda s: s.area([True], [True]), "Give one of faces, vertices and inside"),
