@@ -279,14 +279,6 @@ std::string Measurements::csv() const {
   return text;
 }
 
-PathLines Measurements::lines_on(int layer) const {
-  PathLines result;
-  for (const Measurement& m : all_) {
-    if (m.layer == layer) append(result, m.path);
-  }
-  return result;
-}
-
 // ---- Files: a line for each thing, its word first; the lines of a measurement follow its own
 
 std::string Measurements::text() const {

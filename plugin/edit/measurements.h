@@ -160,8 +160,6 @@ class Measurements {
   /// also for another unit than that of measurements that are there (names the line); nothing is changed
   /// then.
   void add_csv(const std::string& text, const std::function<int(const std::string&)>& layer_of);
-  /// All paths of a layer.
-  PathLines lines_on(int layer) const;
 
   /// Everything, to be read again.
   std::string text() const;

@@ -49,16 +49,20 @@ void RulerTool::save() {
     return;
   }
   log(GLLogStream::FILTER, "Ruler: measurements written to " + name.toStdString());
-  PathLines paths = measurements_->lines_on(layer_);
-  if (paths.lines.points.empty()) return;
-  try {
-    const Placement placement = placement_of(layer);
-    for (Point& point : paths.lines.points) point = placement.to_scene(point);
-    add_polyline_layer(*document_, layer, "Geodesic measurements", paths.lines, paths.along, false);
-    QMetaObject::invokeMethod(area_, "updateLayerTable");
-  } catch (const Error& error) {
-    say(error.what());
+  for (const Measurement& m : measurements_->all()) {
+    const MeshModel* measured = document_->getMesh(static_cast<unsigned>(m.layer));
+    if (measured == nullptr || m.path.lines.points.empty()) continue;
+    try {
+      const Placement placement = placement_of(*measured);
+      PathLines path = m.path;
+      for (Point& point : path.lines.points) point = placement.to_scene(point);
+      add_polyline_layer(*document_, *measured, QString::fromStdString(m.name), path.lines, path.along,
+                         false);
+    } catch (const Error& error) {  // of a matrix that the layer has got since
+      say(error.what());
+    }
   }
+  QMetaObject::invokeMethod(area_, "updateLayerTable");
   repaint();
 }
 

@@ -139,6 +139,12 @@ class RulerWindow(MeshLabWindow):
         names = [node.get_name() for node in self.find(Atspi.Role.TABLE_CELL)]
         self.choose_layer(next(n for n in names if n.removesuffix(".ply").removesuffix(" *") == name))
 
+    def layers(self) -> list[str]:
+        """Names in the list of layers."""
+        in_dock = self.find(Atspi.Role.TABLE_CELL, top=self.dock())
+        cells = [cell for cell in self.find(Atspi.Role.TABLE_CELL) if cell not in in_dock]
+        return [cell.get_name() for cell in cells if cell.get_name()]
+
     def wait_for_rows(self, count: int) -> None:
         """Wait until the table has so many rows."""
         wait_for(f"{count} measurements", lambda: len(self.rows()) == count, 60, self.is_alive)
@@ -152,11 +158,11 @@ class RulerWindow(MeshLabWindow):
         self.keys("ctrl+a")
         return text
 
-    def export_as(self, file: Path) -> None:
-        """Save the layer of measurements to a file, with everything it has."""
+    def export_as(self, name: str, file: Path) -> None:
+        """Save the current layer, a measurement's, to a file, with everything it has."""
         already = len(self.log_lines())
         self.keys("ctrl+shift+e")
-        self.give_file('Save "Geodesic measurements" Layer', file)
+        self.give_file(f'Save "{name}" Layer', file)
         box = wait_for("the dialog of saving options", self.message_box)
         self.click(self.find(Atspi.Role.RADIO_BUTTON, "All", box)[0])
         self.press(box, "OK")
@@ -268,8 +274,9 @@ class Ruler:
         window.keys("Delete")
         wait_for("a row less", lambda: len(window.rows()) == 2)
         self.note(window, "deleted")
-        window.make_current("Geodesic measurements")
-        window.export_as(self.folder / "ruler_paths.ply")
+        self.seen["layers"] = window.layers()
+        window.make_current("distance 3")
+        window.export_as("distance 3", self.folder / "ruler_paths.ply")
 
     def hostile_steps(self, window: RulerWindow) -> None:
         """Another tool, a layer deleted while its paths are shown, the project closed while the tool is on."""

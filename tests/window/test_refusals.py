@@ -53,7 +53,7 @@ def test_layer_of_points_is_chosen_by_its_name(seen):
 
 
 def test_path_is_drawn(seen):
-    lengths = [re.match(r"Path of length ([0-9.]+) mesh units over", line) for line in seen["log"]]
+    lengths = [re.match(r"Geodesic path of length ([0-9.]+) mesh units over", line) for line in seen["log"]]
     vertices = terrain(70, 50)[0]
     straight = np.linalg.norm(vertices[35] - vertices[3460])
     assert straight < float(next(filter(None, lengths))[1]) < 1.5 * straight

@@ -114,6 +114,11 @@ def test_another_component_has_no_path(seen, saved):
     assert saved[2]["length"] == "inf"
 
 
+def test_each_line_is_saved_as_a_layer_of_its_name(seen):
+    layers = [name.removesuffix(" *") for name in seen["layers"]]
+    assert [name for name in layers if name.startswith("distance")] == ["distance 1", "distance 3"]  # 2 has no path
+
+
 def test_saved_layer_is_that_of_the_filter(saved):
     """Point by point, along the path; the edges between them are not written by MeshLab's dialog."""
     layer = pymeshlab.MeshSet()

@@ -394,18 +394,5 @@ TEST(Measurements, DamagedFilesChangeNothingAndNameTheLine) {
   EXPECT_EQ(sentence_of_reading(text), "");
 }
 
-TEST(Measurements, LinesOfALayerFollowOneAnother) {
-  Measurements list;
-  list.add(over_a_corner(1), mesh);
-  list.add(over_a_corner(2), mesh);
-  list.add(without_path(1), mesh);
-  list.add(over_a_corner(1), mesh);
-  const PathLines lines = list.lines_on(1);
-  EXPECT_EQ(lines.lines.points.size(), 6U);
-  EXPECT_EQ(lines.lines.segments, (std::vector<std::array<Index, 2>>{{0, 1}, {1, 2}, {3, 4}, {4, 5}}));
-  EXPECT_EQ(lines.along, (std::vector<double>{0, 2, 3, 0, 2, 3}));
-  EXPECT_TRUE(list.lines_on(3).lines.points.empty());
-}
-
 }  // namespace
 }  // namespace vorogeo::plugin
