@@ -37,10 +37,9 @@ class RulerWindow(MeshLabWindow):
     def __init__(self, meshes: list[Path], log: Path) -> None:
         """Start MeshLab and find the view."""
         super().__init__(meshes, log)
-        panes = [pane.get_extents(Atspi.CoordType.SCREEN) for pane in self.find(Atspi.Role.LAYERED_PANE)]
-        area = max(panes, key=lambda pane: pane.width * pane.height)
-        self.middle = (area.x + area.width / 2, area.y + area.height / 2)
-        self.height = area.height
+        panes = [self.box(pane) for pane in self.find(Atspi.Role.LAYERED_PANE)]
+        left, top, width, self.height = max(panes, key=lambda pane: pane[2] * pane[3])
+        self.middle = (left + width / 2, top + self.height / 2)
 
     def toggle(self) -> None:
         """Start or end the ruler."""

@@ -66,7 +66,8 @@ for version in "${versions[@]}"; do
     scripts=(scenario loading)
     judges=(tests/window/test_{window,loading}.py -k "not one_user")
   elif [ "$version" = 2025.07 ]; then
-    scripts=(scenario refusals filter_script edits ruler ruler_layer ruler_table ruler_choices loading extra_folder)
+    scripts=(scenario refusals filter_script edits ruler ruler_layer ruler_table ruler_choices ruler_snapshot ruler_density loading
+      extra_folder)
     judges=(tests/window)
   fi
   say "driving MeshLab (pictures: $folder/seen/shots)"

@@ -74,10 +74,10 @@ def programs_on_the_bus() -> int:
     return int(asked.stdout) if asked.returncode == 0 and asked.stdout.strip() else -1
 
 
-def start_display(folder: Path) -> None:
+def start_display(folder: Path, density: int = 1) -> None:
     """A display and a window manager; their messages go to files in the folder.
 
-    They end with the namespace this runs in.
+    They end with the namespace this runs in. `density`: pixels of the display for each of the window, on each axis.
     """
     runtime = Path("/tmp/runtime")
     runtime.mkdir(mode=0o700, exist_ok=True)
@@ -86,16 +86,17 @@ def start_display(folder: Path) -> None:
         LIBGL_ALWAYS_SOFTWARE="1",
         QT_LINUX_ACCESSIBILITY_ALWAYS_ON="1",
         QT_ASSUME_STDERR_HAS_CONSOLE="1",
+        QT_SCALE_FACTOR=str(density),
     )
-    start_server(folder / "display.log")
+    start_server(folder / "display.log", density)
     start_window_manager(folder / "window_manager.log")
     Atspi.set_timeout(30_000, 60_000)  # a busy machine answers late
 
 
-def start_server(log: Path) -> None:
+def start_server(log: Path, density: int) -> None:
     """The display. It looks for a free number, as names of displays are shared even by roots of their own."""
     read_end, write_end = os.pipe()
-    screen = ("-screen", "0", f"{SIZE[0]}x{SIZE[1]}x24")
+    screen = ("-screen", "0", f"{density * SIZE[0]}x{density * SIZE[1]}x24")
     # By default, the server restarts whenever its last client leaves, and drops clients that are just connecting.
     command = ("Xvfb", "-noreset", "-displayfd", str(write_end), *screen)
     with open(log, "w") as file:
@@ -230,12 +231,19 @@ class Screen:
                 yield below
             yield from self._entries(child, below)
 
+    @staticmethod
+    def box(node: Atspi.Accessible) -> tuple[int, int, int, int]:
+        """Left, top, width and height of a widget in pixels of the display; Qt names those of the window."""
+        density = int(os.environ["QT_SCALE_FACTOR"])
+        extents = node.get_extents(Atspi.CoordType.SCREEN)
+        return tuple(density * side for side in (extents.x, extents.y, extents.width, extents.height))
+
     # Mouse and keyboard
 
     def click(self, node: Atspi.Accessible, times: int = 1) -> None:
         """Click in the middle of a widget."""
-        box = node.get_extents(Atspi.CoordType.SCREEN)
-        x, y = box.x + box.width // 2, box.y + box.height // 2
+        left, top, width, height = self.box(node)
+        x, y = left + width // 2, top + height // 2
         run("xdotool", "mousemove", str(x), str(y), "click", "--repeat", str(times), "1")
 
     def windows(self) -> set[str]:

@@ -23,6 +23,7 @@ class Script(ABC):
 
     meshes: tuple[str, ...] = ("terrain",)
     window_type = MeshLabWindow
+    density = 1  #: pixels of the display for each of the window, on each axis
     home = ""  #: a folder in FOLDER where MeshLab finds what the user has; by default the user's own
 
     def __init__(self, folder: Path) -> None:
@@ -38,7 +39,7 @@ class Script(ABC):
         if cls.home:
             (folder / cls.home).mkdir(exist_ok=True)
             os.environ["HOME"] = str(folder / cls.home)
-        start_display(folder)
+        start_display(folder, cls.density)
         cls(folder).run()
 
     def open(self) -> MeshLabWindow:
