@@ -144,8 +144,7 @@ QString help_on_field() {
   return "<p>The distance becomes the vertex quality, in the unit of the mesh, and a colour: red at the "
          "sources, blue at the farthest vertex. Vertices that no path leads to, or only one longer than "
          "<b>Max distance</b>, get quality <b>-1</b> and grey and are counted in the log. Lengths are those "
-         "in "
-         "the scene: the matrix of the layer is applied.</p>";
+         "in the scene: the matrix of the layer is applied.</p>";
 }
 
 QString help_on_exact() {

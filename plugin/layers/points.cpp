@@ -23,7 +23,8 @@ Placement placement_of(const MeshModel& layer) {
       matrix[row][column] = static_cast<double>(layer.cm.Tr.ElementAt(row, column));
     }
   }
-  return {matrix, "the layer \"" + layer.label().toStdString() + "\""};
+  const std::string label = layer.label().toStdString();  // PyMeshLab leaves it empty
+  return {matrix, label.empty() ? "layer " + std::to_string(layer.id()) : "the layer \"" + label + "\""};
 }
 
 Box3m scene_box(const MeshModel& layer) {
@@ -231,7 +232,7 @@ SurfacePoint parse_point(const LayerSurface& layer, const Mesh& mesh, const QStr
   try {
     return point_in_face(layer, mesh, number, weights, entry);
   } catch (const InvalidInput& error) {
-    throw InvalidInput(entry + ": " + error.what());
+    throw InvalidInput(entry.substr(0, entry.rfind(',')) + ": " + error.what());
   }
 }
 

@@ -106,7 +106,7 @@ BAD_POINTS = [
     ({"surface_points": ";"}, "holds no point"),
     ({"surface_points": "99999"}, "is 99999, but the vertices of the current layer are numbered"),
     ({"surface_points": "700 0.2 0.3 0.5"}, "names face 700"),
-    ({"surface_points": "7 0.2 0.3 0.6"}, "point 0 of"),
+    ({"surface_points": "7 0.2 0.3 0.6"}, "(surface_points): The point in face 7 has"),
     ({"surface_points": "7 nan 0.3 0.6"}, "point 0 of"),
     ({"point_layer": 9}, "(point_layer) is 9, but there is no such layer"),
     ({"point_layer": 1, "max_snap_distance": NEAR}, "Vertex 0 of layer 1 is 0.5"),

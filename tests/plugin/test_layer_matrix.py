@@ -352,3 +352,11 @@ def test_so_is_that_of_another_layer(name):
     set_matrix(ms, 1, np.diag([1.0, 0, 1, 1]))
     with fails_and_changes_nothing(ms, 'The transformation matrix of the layer "scars" is singular'):
         ms.apply_filter(name, source_layer=1)
+
+
+def test_a_layer_without_a_name_is_named_by_its_number():
+    ms = mesh_set(*grid(3, 3))
+    set_matrix(ms, 0, np.diag([1.0, 0, 1, 1]))
+    label = ms.current_mesh().label()
+    with fails_and_changes_nothing(ms, f'the layer "{label}" is singular' if label else "of layer 0 is singular"):
+        ms.apply_filter(EXACT_FROM_POINT)
