@@ -15,7 +15,8 @@ namespace {
 
 constexpr double max_points = 1e7;
 
-/// Number of pieces of a line, each at most `spacing` long.
+}  // namespace
+
 int pieces_of(double length, double spacing) {
   if (!(spacing > 0.0)) {
     throw InvalidInput("The spacing of points along a curve is " + std::to_string(spacing) +
@@ -26,8 +27,6 @@ int pieces_of(double length, double spacing) {
     throw InvalidInput("The spacing is too small: it makes more than ten million points.");
   return std::max(1, static_cast<int>(pieces));
 }
-
-}  // namespace
 
 std::vector<Point> points_between(const Point& a, const Point& b, double spacing) {
   const int pieces = pieces_of(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), spacing);

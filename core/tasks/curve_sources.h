@@ -21,6 +21,9 @@ std::vector<Index> edges_of_curve(const Mesh& mesh, std::span<const std::array<i
 /// Complexity: O(points).
 std::vector<ExactSource> sources_along_edges(const Mesh& mesh, std::span<const Index> edges, double spacing);
 
+/// The number of pieces of a line of this length, each at most `spacing` long. \throw as above.
+int pieces_of(double length, double spacing);
+
 /// Points along a straight line in space, at most `spacing` apart, without its ends. \throw as above.
 std::vector<Point> points_between(const Point& a, const Point& b, double spacing);
 

@@ -29,6 +29,8 @@ class AlongPath {
     }
   }
 
+  double length() const { return walked_.back(); }
+
   SurfacePoint at(double fraction) const {
     const double length = fraction * walked_.back();
     const auto next = std::ranges::lower_bound(walked_, length) - walked_.begin();
@@ -48,6 +50,13 @@ class AlongPath {
   Points points_;
   std::vector<double> walked_{0.0};  ///< by point
 };
+
+AlongPath along_path(const Mesh& mesh, const PointList& path) {
+  const PointList points = points_on(mesh, path, "Point");
+  if (points.empty())
+    throw InvalidInput("The path has no point; give one that path() or path_through() found.");
+  return {mesh, Points(points.begin(), points.end())};
+}
 
 /// Exact paths between points of two lists, which `refuse(i)` names if none joins a pair.
 template <class Refuse>
@@ -182,10 +191,7 @@ Tangent vector_along(const TangentFrame& frame, const Path& path, double length)
 
 std::vector<SurfacePoint> points_along(const Mesh& mesh, const PointList& path,
                                        std::span<const double> fractions) {
-  const PointList points = points_on(mesh, path, "Point");
-  if (points.empty())
-    throw InvalidInput("The path has no point; give one that path() or path_through() found.");
-  const AlongPath along(mesh, Points(points.begin(), points.end()));
+  const AlongPath along = along_path(mesh, path);
   std::vector<SurfacePoint> found;
   for (const double fraction : fractions) {
     if (!(fraction >= 0.0 && fraction <= 1.0)) {
@@ -194,6 +200,14 @@ std::vector<SurfacePoint> points_along(const Mesh& mesh, const PointList& path,
     }
     found.push_back(along.at(fraction));
   }
+  return found;
+}
+
+std::vector<SurfacePoint> steps_along(const Mesh& mesh, const PointList& path, double spacing) {
+  const AlongPath along = along_path(mesh, path);
+  const int steps = pieces_of(along.length(), spacing);
+  std::vector<SurfacePoint> found;
+  for (int i = 0; i <= steps; ++i) found.push_back(along.at(static_cast<double>(i) / steps));
   return found;
 }
 

@@ -14,6 +14,10 @@ namespace vorogeo {
 std::vector<SurfacePoint> points_along(const Mesh& mesh, const PointList& path,
                                        std::span<const double> fractions);
 
+/// The points that divide a path into equal steps of at most `spacing`, with its ends. \throw InvalidInput
+/// also for a spacing that is not above 0 or makes more than ten million points.
+std::vector<SurfacePoint> steps_along(const Mesh& mesh, const PointList& path, double spacing);
+
 /// The Bezier curve of control points by de Casteljau's construction, whose straight lines are shortest paths
 /// (Park, Ravani 1995): at `samples` + 1 parameters from 0 to 1, which shortest paths join. \throw
 /// InvalidInput for fewer than two points, one that is not on the mesh, two that no path joins (names both),

@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <set>
 #include <string>
 #include <utility>
 
 #include "mesh/mesh_input.h"
 #include "support/error.h"
+#include "support/lists.h"
 
 namespace vorogeo {
 
@@ -22,6 +25,44 @@ double SurfaceLines::length() const {
     sum += std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
   }
   return sum;
+}
+
+std::vector<std::vector<Index>> lines_in_order(std::vector<std::array<Index, 2>> segments,
+                                               const std::function<std::string(Index)>& name) {
+  for (auto& [a, b] : segments) {
+    if (a > b) std::swap(a, b);
+  }
+  std::erase_if(segments, [](const auto& ends) { return ends[0] == ends[1]; });
+  sort_once(segments);
+  std::map<Index, std::vector<Index>> beside;
+  for (const auto& [a, b] : segments) {
+    beside[a].push_back(b);
+    beside[b].push_back(a);
+  }
+  for (const auto& [number, ways] : beside) {
+    if (ways.size() > 2) {
+      throw InvalidInput("The curve branches: " + name(number) + " has " + std::to_string(ways.size()) +
+                         " of its edges. Leave two of them.");
+    }
+  }
+  std::set<Index> passed;
+  std::vector<std::vector<Index>> lines;
+  for (const bool from_end : {true, false}) {
+    for (const auto& [first, others] : beside) {
+      if ((from_end && others.size() > 1) || passed.contains(first)) continue;
+      std::vector<Index> line{first};
+      for (Index from = no_index, next = others[0]; next != no_index && next != first;) {
+        from = line.back();
+        line.push_back(next);
+        const auto& ways = beside.at(next);
+        next = ways[0] != from ? ways[0] : ways.size() > 1 ? ways[1] : no_index;
+      }
+      passed.insert(line.begin(), line.end());
+      if (others.size() > 1) line.push_back(first);
+      lines.push_back(std::move(line));
+    }
+  }
+  return lines;
 }
 
 Index LineBuilder::point(const Key& key, const Point& position) {

@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -20,6 +22,12 @@ struct SurfaceLines {
 
   double length() const;
 };
+
+/// The numbers along each line that segments make, given in any order and direction: open lines from end to
+/// end, then closed ones from their least number round to it. `name`: of a number, for errors. \throw
+/// InvalidInput if one branches. Complexity: O(n log n).
+std::vector<std::vector<Index>> lines_in_order(std::vector<std::array<Index, 2>> segments,
+                                               const std::function<std::string(Index)>& name);
 
 /// Collects points under keys that neighbouring faces share, so that lines continue from face to face.
 class LineBuilder {

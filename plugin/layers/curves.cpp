@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 #include <string>
 #include <utility>
 
 #include "support/lists.h"
 #include "tasks/curve_sources.h"
 #include "tasks/path_through.h"
+#include "tasks/surface_lines.h"
 
 namespace vorogeo::plugin {
 
@@ -93,42 +93,6 @@ std::vector<std::array<Index, 2>> selected_curve(const FilterCall& call, const L
                         "choose a layer with lines as " + named(call, "curve_layer") + ".");
 }
 
-/// The numbers along each line that edges make: from end to end, or from one round to it. `name`: of a
-/// number, for errors. \throw InvalidInput if one branches.
-template <class Name>
-std::vector<std::vector<Index>> in_order(std::vector<std::array<Index, 2>> edges, Name&& name) {
-  sort_once(edges);
-  std::map<Index, std::vector<Index>> beside;
-  for (const auto& [a, b] : edges) {
-    beside[a].push_back(b);
-    beside[b].push_back(a);
-  }
-  for (const auto& [number, ways] : beside) {
-    if (ways.size() > 2) {
-      throw InvalidInput("The curve branches: " + name(number) + " has " + std::to_string(ways.size()) +
-                         " of its edges. Leave two of them.");
-    }
-  }
-  std::set<Index> passed;
-  std::vector<std::vector<Index>> lines;
-  for (const bool from_end : {true, false}) {
-    for (const auto& [first, others] : beside) {
-      if ((from_end && others.size() > 1) || passed.contains(first)) continue;
-      std::vector<Index> line{first};
-      for (Index from = no_index, next = others[0]; next != no_index && next != first;) {
-        from = line.back();
-        line.push_back(next);
-        const auto& ways = beside.at(next);
-        next = ways[0] != from ? ways[0] : ways.size() > 1 ? ways[1] : no_index;
-      }
-      passed.insert(line.begin(), line.end());
-      if (others.size() > 1) line.push_back(first);
-      lines.push_back(std::move(line));
-    }
-  }
-  return lines;
-}
-
 std::string of_curve_layer(const FilterCall& call) {
   return curve_is_selected(call) ? ""
                                  : " of layer " + std::to_string(call.parameters.getMeshId("curve_layer"));
@@ -146,8 +110,8 @@ RichParameterList curve_parameters(const MeshDocument& document) {
 
 QString help_on_curve() {
   return "<p>The curve is the selected edges of the layer or, if <b>Curve layer</b> is another one, the "
-         "lines "
-         "of that, such as a path or a plane section: their points are moved to the nearest point of the "
+         "lines of that, such as a path or a plane section: their points are moved to the nearest point of "
+         "the "
          "surface; <i>snap_distance</i> is the farthest move, and one of more than <b>Max snap distance</b> "
          "is an error unless that is 0.</p>";
 }
@@ -163,7 +127,7 @@ std::vector<TaskPoints> curves_in_order(const FilterCall& call, LayerSurface& la
   std::vector<TaskPoints> curves;
   if (curve_is_selected(call)) {
     const auto name = [&](Index v) { return "vertex " + std::to_string(layer.host_vertex(v)); };
-    for (const auto& line : in_order(selected_curve(call, layer, *layer.mesh()), name)) {
+    for (const auto& line : lines_in_order(selected_curve(call, layer, *layer.mesh()), name)) {
       TaskPoints& curve = curves.emplace_back();
       curve.points = line;
       for (const Index v : line) curve.numbers.push_back(layer.host_vertex(v));
@@ -191,13 +155,13 @@ std::vector<TaskPoints> curves_in_order(const FilterCall& call, LayerSurface& la
       ends[i] = point_at.emplace(at, number).first->second;
       snapped.emplace(ends[i], point);
     }
-    if (ends[0] != ends[1]) edges.push_back({std::min(ends[0], ends[1]), std::max(ends[0], ends[1])});
+    if (ends[0] != ends[1]) edges.push_back(ends);
   }
   if (edges.empty()) {
     throw InvalidInput("The lines" + of_layer + " have no length. Choose a layer with a curve.");
   }
-  for (const auto& line :
-       in_order(edges, [&](Index v) { return "vertex " + std::to_string(v) + of_layer; })) {
+  const auto name = [&](Index v) { return "vertex " + std::to_string(v) + of_layer; };
+  for (const auto& line : lines_in_order(edges, name)) {
     TaskPoints& curve = curves.emplace_back();
     std::vector<SurfacePoint> points;
     for (const Index number : line) {

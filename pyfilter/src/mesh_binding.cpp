@@ -9,6 +9,7 @@
 #include "mesh/mesh_check.h"
 #include "mesh/metric.h"
 #include "tasks/curve_sources.h"
+#include "tasks/surface_lines.h"
 
 namespace vorogeo::python {
 
@@ -104,6 +105,15 @@ auto along_edges(const HeldMesh& self, const EdgeArray& ends, double spacing) {
   PointColumns columns;
   for (const ExactSource& source : sources_along_edges(mesh, edges, wanted)) columns.add(mesh, source.point);
   return to_python(std::move(columns));
+}
+
+/// The numbers of points along each line of a list of edges.
+nb::list ordered_lines(const EdgeArray& edges) {
+  nb::list lines;
+  for (auto& line : lines_in_order(rows_of<2>(edges), [](Index p) { return "point " + std::to_string(p); })) {
+    lines.append(to_numpy(std::move(line)));
+  }
+  return lines;
 }
 
 // ---- Checks, and what an index would cost
@@ -220,6 +230,7 @@ void bind_mesh(nb::class_<HeldMesh>& mesh, nb::module_& module) {
   module.def("read_mesh", &read_mesh, nb::arg("vertices"), nb::arg("faces"), nb::arg("sides").none(),
              nb::arg("gap"), nb::arg("folds"), nb::arg("progress").none());
   module.def("check_mesh", &check);
+  module.def("lines_in_order", &ordered_lines);
   mesh.def("snap", &snap)
       .def("along_edges", &along_edges)
       .def("estimate", &estimate, nb::arg("threads"), nb::arg("memory_budget"), nb::arg("progress").none());

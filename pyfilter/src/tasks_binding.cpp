@@ -350,6 +350,13 @@ auto along(const TaskOptions&, const HeldSurface& held, const PointArrays& path,
   return std::tuple(columns_of(held, points_along(held.mesh(), held.points(path), values_of(fractions))));
 }
 
+/// Points at most `spacing` apart; 0: a quarter of the typical edge.
+auto stepped(const TaskOptions&, const HeldSurface& held, const PointArrays& path, double spacing) {
+  const Mesh& mesh = held.mesh();
+  const double wanted = spacing > 0.0 ? spacing : 0.25 * mesh.typical_edge_length();
+  return std::tuple(columns_of(held, steps_along(mesh, held.points(path), wanted)));
+}
+
 auto bezier_curve(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
                   Index samples) {
   PathArrays arrays;
@@ -480,6 +487,7 @@ void bind_tasks(nb::class_<HeldSurface>& surface) {
   bind_question(surface, "transport", &carried);
   bind_question(surface, "transport_from", &carried_to_vertices);
   bind_question(surface, "points_along", &along);
+  bind_question(surface, "steps_along", &stepped);
   bind_question(surface, "bezier", &bezier_curve);
   bind_question(surface, "b_spline", &b_spline_curve);
   bind_question(surface, "spline", &spline_curve);

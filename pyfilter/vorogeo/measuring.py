@@ -9,10 +9,13 @@ from numpy.typing import ArrayLike
 
 from . import _arguments as check
 from .errors import InvalidInput
-from .points import Points, Sources, SurfacePoints, surface_points
+from .points import Points, SurfacePoints, surface_points
 from .progress import ProgressFunction
 from .results import Band, CutMesh, GeodesicPath, GeodesicPolygon, Girth, Polylines, Profile, RegionArea, SetDistances
-from .tasks import Tasks, paths_of
+from .tasks import Sources, Tasks, paths_of
+
+#: Along a path: the border of a band then has dents of 1 / 3200 of its width.
+_POINTS_IN_WIDTH = 20
 
 
 class Measuring(Tasks):
@@ -262,12 +265,13 @@ class Measuring(Tasks):
         Parameters
         ----------
         sources : k points, k >= 1
-            Or an `EdgeCurve`, or a list that contains curves. A band around a curve lies on both sides of it.
+            Or an `EdgeCurve` or a `GeodesicPath`, or a list that contains some. A band around a curve lies on both
+            sides of it. A path counts as points at most width / 20 apart.
         width : float
             0 or more.
         """
-        rows, _ = self._source_rows(sources)
         reach = check.length("width", width)
+        rows, _ = self._source_rows(sources, spacing=reach / _POINTS_IN_WIDTH)
         return Band(*self._ask(self._shared.core.band, rows, reach, method=method, progress=progress))
 
     def disk_area(
@@ -278,8 +282,8 @@ class Measuring(Tasks):
         progress: ProgressFunction | bool | None = None,
     ) -> float:
         """The area within a radius of the nearest source, as `band` finds it."""
-        rows, _ = self._source_rows(sources)
         reach = check.length("radius", radius)
+        rows, _ = self._source_rows(sources, spacing=reach / _POINTS_IN_WIDTH)
         found: float = self._ask(self._shared.core.band, rows, reach, method=method, progress=progress)[0]
         return found
 
@@ -435,7 +439,8 @@ class Measuring(Tasks):
         Parameters
         ----------
         first, second : points
-            At least one each. Or an `EdgeCurve`, or a list that contains curves, which stand for points along them.
+            At least one each. Or an `EdgeCurve` or a `GeodesicPath`, or a list that contains some, which stand for
+            points along them.
         """
         sets = self._source_rows(first, "first")[0], self._source_rows(second, "second")[0]
         return SetDistances(*self._ask(self._shared.core.set_distances, *sets, method=method, progress=progress))

@@ -128,7 +128,6 @@ class EdgeCurve:
 
 
 Points: TypeAlias = ArrayLike | SurfacePoints | Sequence["ArrayLike | SurfacePoints"]
-Sources: TypeAlias = ArrayLike | SurfacePoints | EdgeCurve | Sequence["ArrayLike | SurfacePoints | EdgeCurve"]
 
 Rows: TypeAlias = tuple[NDArray[np.int32], NDArray[np.int32], NDArray[np.float64]]
 """Points as the core takes them: vertex (-1: none), face and weights; the last two are empty if all are vertices."""

@@ -9,6 +9,7 @@ from typing import Annotated, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from . import _core
 from ._records import doc, documented
 from .points import SurfacePoints
 
@@ -33,6 +34,13 @@ class Polylines:
         """Sum of the lengths of all edges."""
         ends = self.points[self.edges]
         return float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum())
+
+    def lines(self) -> list[NDArray[np.float64]]:
+        """The positions along each line in order; a closed one ends where it begins. One that branches is refused.
+
+        `surface.tighten(surface.snap(line))` pulls such a line tight.
+        """
+        return [self.points[line] for line in _core.lines_in_order(np.ascontiguousarray(self.edges, dtype=np.int32))]
 
     def to_pyvista(self) -> Any:
         """The lines as a ``pyvista.PolyData``; needs PyVista."""

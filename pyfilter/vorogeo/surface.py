@@ -15,10 +15,10 @@ from .means import Means
 from .measuring import Measuring
 from .mesh_input import MeshInput
 from .metrics import Metric
-from .points import Points, Sources
+from .points import Points
 from .progress import ProgressFunction, reporter
 from .results import Answered, GeodesicPath, IndexEstimate, IndexStatistics, pyvista_mesh
-from .tasks import METHODS, Shared, paths_of
+from .tasks import METHODS, Shared, Sources, paths_of
 
 _Kind = TypeVar("_Kind", bound="Surface")
 
@@ -183,9 +183,9 @@ class Surface(Measuring, Means, Directions):
 
         Parameters
         ----------
-        sources : int, array_like of int of shape (k,), SurfacePoints, EdgeCurve, or a list of any of these
-            At least one; repeated ones make no difference. A curve is one source, and points along it also in an exact
-            field.
+        sources : int, array_like of int of shape (k,), SurfacePoints, EdgeCurve, GeodesicPath, or a list of these
+            At least one; repeated ones make no difference. A curve or a path is one source, and points along it also in
+            an exact field, of a path at most a quarter of the typical edge apart.
         max_distance : float, optional
             Distances above it become infinity; None for no limit.
         offsets : array_like, shape (k,), optional

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, ClassVar, cast
+from typing import Any, ClassVar, TypeAlias, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -18,7 +18,7 @@ from ._output import Output, matrix, releasing, reopened, require_memory
 from .errors import InvalidInput
 from .mesh_input import MeshInput
 from .metrics import Metric
-from .points import EdgeCurve, Points, Rows, Sources, SurfacePoints, surface_points
+from .points import EdgeCurve, Points, Rows, SurfacePoints, surface_points
 from .progress import ProgressFunction, reporter
 from .results import (
     Answered,
@@ -33,8 +33,13 @@ from .results import (
     VoronoiRegions,
 )
 
+Source: TypeAlias = ArrayLike | SurfacePoints | EdgeCurve | GeodesicPath
+Sources: TypeAlias = Source | Sequence[Source]
+
 #: Beyond it, a distance from the surface may be more than a float can hold.
 _GREATEST_COORDINATE = 1e307
+#: Along a path around which an area lies.
+_MOST_POINTS = 10**6
 #: By the numbers that the core has for them.
 METHODS = ("automatic", "index", "exact", "quick")
 _ENTRIES = ("automatic", "pairs", "fields")
@@ -191,30 +196,46 @@ class Tasks:
         ]
         return point_lists.joined(parts), np.cumsum([0] + [len(part[0]) for part in parts], dtype=np.int32)
 
-    def _source_rows(self, sources: Sources, list_name: str = "sources") -> tuple[Rows, NDArray[np.int32]]:
-        """Sources as points, and for each the position of its source in the list; a curve is one source."""
-        if not point_lists.holds(sources, EdgeCurve):
+    def _source_rows(
+        self, sources: Sources, list_name: str = "sources", spacing: float = 0.0
+    ) -> tuple[Rows, NDArray[np.int32]]:
+        """Sources as points, and for each the position of its source in the list; a curve or path is one source.
+
+        `spacing` of the points along paths: 0 is a quarter of the typical edge.
+        """
+        curves = EdgeCurve, GeodesicPath
+        if not point_lists.holds(sources, curves):
             found = self._rows(list_name, sources)
             number = np.arange(len(found[0]), dtype=np.int32)
         else:
             parts, numbers, places = [], [], 0
-            for i, part in enumerate(cast(list[Any], [sources] if isinstance(sources, EdgeCurve) else sources)):
+            for i, part in enumerate(cast(list[Any], [sources] if isinstance(sources, curves) else sources)):
                 name = f"{list_name}[{i}]"
-                if isinstance(part, EdgeCurve):
-                    spacing = 0.0 if part.spacing is None else check.length(f"{name}.spacing", part.spacing)
-                    ends = part.edges(len(self.vertices), name)
-                    parts.append(self._shared.core.mesh.along_edges(ends, spacing))
-                    numbers.append(np.full(len(parts[-1][0]), places))
-                    places += 1
-                else:
-                    parts.append(self._rows(name, part))
-                    numbers.append(places + np.arange(len(parts[-1][0])))
-                    places += len(parts[-1][0])
+                is_line = isinstance(part, curves)
+                parts.append(self._points_on(name, part, spacing) if is_line else self._rows(name, part))
+                count = len(parts[-1][0])
+                numbers.append(np.full(count, places) if is_line else places + np.arange(count))
+                places += 1 if is_line else count
             found = point_lists.joined(parts)
             number = np.concatenate(numbers).astype(np.int32)
         if not len(found[0]):
             raise InvalidInput(f"{list_name}: is empty; give at least one vertex id, surface point or curve.")
         return found, number
+
+    def _points_on(self, name: str, line: EdgeCurve | GeodesicPath, spacing: float) -> Rows:
+        """Points along a curve, or along a path at most `spacing` apart."""
+        if isinstance(line, EdgeCurve):
+            own = 0.0 if line.spacing is None else check.length(f"{name}.spacing", line.spacing)
+            along_edges: Rows = self._shared.core.mesh.along_edges(line.edges(len(self.vertices), name), own)
+            return along_edges
+        if not len(line.points):
+            raise InvalidInput(f"{name}: is a path without points, as none joins its ends; give another.")
+        apart = max(spacing, line.length / _MOST_POINTS) if spacing > 0 else 0.0
+        along: Rows
+        (along,) = self._ask(
+            self._shared.core.steps_along, self._rows(name, line.surface_points), apart, method="exact"
+        )
+        return along
 
     def distance_matrix(
         self,
@@ -518,7 +539,7 @@ class Tasks:
         Parameters
         ----------
         sources : k points, k >= 1
-            Or an `EdgeCurve`, or a list that contains curves.
+            Or an `EdgeCurve` or a `GeodesicPath`, or a list that contains some.
         radius : float
             0 or more.
         """

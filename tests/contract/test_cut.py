@@ -95,6 +95,37 @@ def test_a_band_around_a_curve_has_ends_that_are_half_disks() -> None:
     assert band.border_length == pytest.approx(4 + np.pi, rel=1e-3)
 
 
+def test_a_path_is_a_source_like_a_curve(random: np.random.Generator) -> None:
+    """The band around a segment of length L in a plane: 2 L w + pi w^2 and 2 L + 2 pi w."""
+    shape = table.named("plane")
+    low, size = shape.vertices.min(axis=0), np.ptp(shape.vertices, axis=0)
+    surface, width = ask.surface(shape), 0.1 * size[:2].min()
+    ends = low + size * np.column_stack([random.uniform(0.2, 0.8, (2, 2)), np.zeros(2)])
+    path = surface.path(*[surface.snap(end) for end in ends])
+    length = np.linalg.norm(ends[1] - ends[0])
+    band = surface.band(path, width, method="exact")
+    dents = 2 / 3200
+    assert band.area == pytest.approx(2 * length * width + np.pi * width**2, rel=dents)
+    assert band.border_length == pytest.approx(2 * length + 2 * np.pi * width, rel=20 * dents)
+    assert surface.disk_area(path, width, method="exact") == band.area
+    along = np.clip((shape.vertices - ends[0]) @ (ends[1] - ends[0]) / max(length**2, 1e-300), 0, 1)
+    away = np.linalg.norm(shape.vertices - ends[0] - np.outer(along, ends[1] - ends[0]), axis=1)
+    field, label = surface.distance_field([0, path], method="exact", return_labels=True)
+    typical = np.median(np.linalg.norm(np.diff(shape.vertices[shape.faces], axis=1), axis=2))
+    from_corner = np.linalg.norm(shape.vertices - shape.vertices[0], axis=1)
+    assert (field >= np.minimum(away, from_corner) - 1e-9).all()
+    assert (field <= np.minimum(away, from_corner) + 0.25 * typical).all()
+    np.testing.assert_array_equal(label[away > from_corner + typical], 0)
+    np.testing.assert_array_equal(label[from_corner > away + typical], 1)
+    apart = surface.set_distances(path, [0], method="exact")
+    assert away[0] - 1e-9 <= apart.nearest <= away[0] + 0.25 * typical
+    none = vorogeo.GeodesicPath(
+        path.points[:0], np.inf, path.vertices[:0], path.surface_points[:0], False, path.over_gap[:0]
+    )
+    with pytest.raises(vorogeo.InvalidInput, match=r"sources\[1\]: is a path without points"):
+        surface.band([3, none], width)
+
+
 @pytest.mark.parametrize("by", ["exact", "by index, exact", "index", "automatic"])
 def test_a_polygon_of_a_plane_is_the_flat_one(by: str) -> None:
     shape = table.named("plane")

@@ -207,3 +207,20 @@ def test_where_a_metric_jumps_there_are_bezier_curves_but_no_splines():
     assert np.isfinite(surface.bezier([30, 40, 50], samples=4).length)
     with pytest.raises(vorogeo.InvalidInput, match="Directions need edges on whose length both faces agree"):
         surface.spline([30, 40, 50])
+
+
+def test_isolines_in_order_are_curves_to_pull_tight():
+    """Round a tube each isoline of the height is closed, and as long as its regular polygon once it is tight."""
+    surface = vorogeo.Surface(*prism(12, 9, 4.0))
+    levels = np.sort(np.random.default_rng().uniform(0.3, 3.7, 3))
+    lines = surface.isolines(surface.vertices[:, 2], levels, "linear").lines()
+    assert len(lines) == 3
+    round_it = 24 * np.sin(np.pi / 12)
+    for line in lines:
+        np.testing.assert_array_equal(line[0], line[-1])
+        assert np.abs(line[:, 2, None] - levels).min(axis=1).max() < 1e-9
+        assert surface.tighten(surface.snap(line, max_distance=1e-9)).length == pytest.approx(round_it, rel=1e-9)
+    across = vorogeo.Polylines(surface.vertices, np.array([[3, 1], [2, 1], [5, 3]]))
+    np.testing.assert_array_equal(across.lines()[0], surface.vertices[[2, 1, 3, 5]])
+    with pytest.raises(vorogeo.InvalidInput, match="The curve branches: point 1 has 3 of its edges"):
+        vorogeo.Polylines(surface.vertices, np.array([[3, 1], [2, 1], [1, 4]])).lines()

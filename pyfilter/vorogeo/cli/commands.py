@@ -16,10 +16,6 @@ from .job import Command, MeshTask, surface_area
 from .outputs import Result, format_of
 from .sources import values_in
 
-_POINTS_IN_RADIUS = 20
-"""Of a curve around which an area lies: the border then has dents of 1 / 3200 of the radius."""
-_MOST_POINTS = 10**6
-
 
 def field(task: MeshTask) -> Result:
     """Distance of every vertex from the nearest source."""
@@ -200,9 +196,7 @@ def area(task: MeshTask) -> Result:
     if radius is None:
         raise InvalidInput("--radius: is missing; give how far from --from or --curve, or name --inside or --regions.")
     if task.options.get("curve"):
-        path = task.surface.path_through(task.points("curve"), closed=bool(task.options.get("closed")), **how)
-        steps = min(_POINTS_IN_RADIUS * path.length / radius, _MOST_POINTS) if radius > 0 else 1
-        sources = task.surface.points_along(path, np.linspace(0, 1, int(np.ceil(steps)) + 1))
+        sources = task.surface.path_through(task.points("curve"), closed=bool(task.options.get("closed")), **how)
     if sources is None:
         raise InvalidInput("--from: is missing; name points, or one of --curve, --inside and --regions.")
     found = task.surface.band(sources, radius, **how)

@@ -1,11 +1,15 @@
 // Isolines at vertices and on edges, and points along curves.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
+#include <string>
 #include <vector>
 
 #include "support/error.h"
+#include "support/refusal.h"
 #include "support/shapes.h"
 #include "tasks/curve_sources.h"
 #include "tasks/surface_lines.h"
@@ -38,6 +42,28 @@ TEST(Isolines, CrossingOfTheDistanceFromAPointBesideTheEdge) {
       }
     }
   }
+}
+
+// ---- Lines put in order
+
+TEST(Lines, SegmentsInAnyOrderMakeOpenAndClosedLines) {
+  std::vector<std::array<Index, 2>> segments{{7, 3}, {3, 9}, {9, 1}, {4, 5}, {5, 6}, {6, 8}, {8, 4}, {2, 2}};
+  std::mt19937 random(std::random_device{}());
+  std::ranges::shuffle(segments, random);
+  for (auto& [a, b] : segments) {
+    if (random() % 2 == 0) std::swap(a, b);
+  }
+  const auto name = [](Index v) { return "point " + std::to_string(v); };
+  const auto lines = lines_in_order(segments, name);
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[0], (std::vector<Index>{1, 9, 3, 7}));
+  ASSERT_EQ(lines[1].size(), 5U);
+  EXPECT_EQ(lines[1].front(), 4);
+  EXPECT_EQ(lines[1].back(), 4);
+  EXPECT_EQ(lines[1][2], 6);
+  segments.push_back({9, 4});
+  const std::string said = test::refusal([&] { lines_in_order(segments, name); });
+  EXPECT_TRUE(said.starts_with("The curve branches: point 4 has 3 of its edges")) << said;
 }
 
 // ---- Points along curves
