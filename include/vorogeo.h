@@ -758,7 +758,7 @@ VOROGEO_API DistanceGradient distance_gradient(const Surface& surface, const Poi
                                                const PointList& to, const TaskOptions& options = {});
 
 struct CutLocusOptions {
-  double min_angle = 0.0;      ///< only where directions differ by so much, up to pi
+  double min_angle = 0.0;      ///< ends of lines are left out up to where directions differ by so much
   double limit = unreachable;  ///< only within this distance
   ProgressFunction progress = {};
 };

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
+#include <numeric>
 #include <unordered_map>
 #include <utility>
 
 #include "exact/edge_axes.h"
 #include "exact/path_tracing.h"
-#include "exact/solver_state.h"
+#include "exact/wave_tree.h"
 #include "support/disjoint_sets.h"
 #include "support/progress.h"
 
@@ -18,68 +18,35 @@ namespace vorogeo {
 
 namespace {
 
-/// Directions that differ by less are one: the end of a shadow, where the two waves agree to second order, is
-/// known to the root of the rounding of distances.
-constexpr double same_direction = 1e-4;
-/// Distances that differ by less, relative to them and to the length of the edge, are equal.
+/// Angles at a vertex that differ by less are one; and what its angles lack to a full turn, from which on a
+/// line begins there.
+constexpr double same_direction = 1e-7;
+/// Distances that differ by less, relative to them, are equal.
 constexpr double equal_waves = 1e-10;
-/// Places this close to the end of an edge, relative to its length, are at the vertex.
-constexpr double beside_vertex = 1e-7;
-/// Windows so narrow, relative to their edge, may come from rounding beside a vertex or on a line.
-constexpr double tiny_part = 1e-5;
 /// Places this far off a line, relative to the greatest side of the face, are on it.
 constexpr double on_curve = 1e-7;
-
-/// Sources of waves this close, relative to their distance, are one.
-constexpr double same_source_within = 1e-9;
 
 double angle_in_plane(const PlanePoint& a, const PlanePoint& b) {
   return std::atan2(std::abs(cross_in_plane(a, b)), dot_in_plane(a, b));
 }
 
-/// What is seen of a (pseudo-)source from an edge, which is on the x axis.
-struct RidgeWave {
-  double x, y, offset;
-  Index through;  ///< the face that it came through; no_index: along the edge
-
-  explicit RidgeWave(const Window& window)
-      : x(window.source_x),
-        y(window.source_y),
-        offset(window.offset),
-        through(Mesh::face_of(window.entry())) {}
-  RidgeWave(double at, double distance) : x(at), y(0.0), offset(distance), through(no_index) {}
-
-  double distance(double at) const { return offset + std::hypot(at - x, y); }
-  /// Towards the source, in the plane of a face that has the edge.
-  PlanePoint direction(double at, Index face) const { return {x - at, through == face ? y : -y}; }
-};
-
-/// The same in the plane of a face, and the part of its border that it reaches.
+/// A wave in the plane of a face.
 struct PlaneWave {
   PlanePoint source{};
-  double offset = 0.0;
-  Index part = 0;
+  double offset = unreachable;
 
-  double tolerance() const { return same_source_within * (std::hypot(source[0], source[1]) + offset); }
-  bool may_be(double x) const { return x - source[0] <= tolerance(); }
-  bool is_same(const PlaneWave& other) const {
-    const PlanePoint off = minus_in_plane(other.source, source);
-    return std::hypot(off[0], off[1]) + std::abs(other.offset - offset) <= tolerance();
+  double distance(const PlanePoint& place) const {
+    return offset + std::hypot(place[0] - source[0], place[1] - source[1]);
   }
 };
 
-/// A line of the ridge in a face: where two waves are equal, or straight from a corner.
+/// A line of the ridge in a face: where two waves are equal, those before and behind it as one goes round the
+/// face.
 struct Curve {
   std::array<PlaneWave, 2> waves{};
-  bool is_straight = false;
-  PlanePoint from{}, direction{};  ///< of a straight one
 
   /// How far a place is from the curve, to first order, and in which direction.
   double off(const PlanePoint& place, PlanePoint& across) const {
-    if (is_straight) {
-      across = {-direction[1], direction[0]};
-      return dot_in_plane(across, minus_in_plane(place, from));
-    }
     const PlanePoint u = minus_in_plane(place, waves[0].source), v = minus_in_plane(place, waves[1].source);
     const double a = std::hypot(u[0], u[1]), b = std::hypot(v[0], v[1]);
     across = {u[0] / a - v[0] / b, u[1] / a - v[1] / b};
@@ -89,51 +56,268 @@ struct Curve {
   }
 };
 
-class RidgeFinder {
- public:
-  explicit RidgeFinder(const ExactSolver& solver, const ExactSolver::State& state)
-      : solver_(solver), state_(state), mesh_(state.mesh), geometry_(*state.geometry) {}
+// ---- The lines as a graph: all that lies between the areas of a wave tree, without its dead ends
 
-  Ridge find() {
-    for (Index e = 0; e < mesh_.edge_count(); ++e) {
-      if (e % items_per_checkpoint == 0) checkpoint();
-      crossings_begin_.push_back(crossings_.size());
-      if (mesh_.edge_length(e) > 0.0) look_along(e);
-    }
-    crossings_begin_.push_back(crossings_.size());
-    for (Index v = 0; v < mesh_.vertex_count(); ++v) {
-      if (v % items_per_checkpoint == 0) checkpoint();
-      begin_at(v);
-    }
-    std::ranges::sort(beginnings_, {}, &Beginning::face);
+/// Where a line ends in a face: at a place on an edge, between two of its parts, or at a vertex.
+struct LineEnd {
+  Index node;
+  Index gap;  ///< behind this piece of the border of the face
+};
+
+/// Lines in one face that meet: two ends are those of one line.
+struct Meeting {
+  Index face;
+  std::vector<LineEnd> ends;  ///< in order round the face
+};
+
+/// Nodes are the numbers of parts, for the place where a part ends and the next one of its edge begins; and
+/// behind these, nodes at vertices.
+class LineGraph {
+ public:
+  LineGraph(const ExactSolver::State& state, const WaveTree& tree)
+      : state_(state),
+        mesh_(state.mesh),
+        geometry_(*state.geometry),
+        tree_(tree),
+        part_count_(tree.first_part(mesh_.edge_count())),
+        sectors_(2 * mesh_.edge_count() + 3 * mesh_.face_count()),
+        is_own_(2 * static_cast<std::size_t>(mesh_.edge_count()) +
+                    3 * static_cast<std::size_t>(mesh_.face_count()),
+                0),
+        has_leaf_(mesh_.vertex_count(), false) {
+    for_each_face([&](Index face) { join_sectors(face); });
+    mark_own();
+    for_each_face([&](Index face) { join_runs(face); });
+    for_each_face([&](Index face) { find_meetings(face); });
+    prune();
+  }
+
+  const std::vector<Meeting>& meetings() const { return meetings_; }
+  std::size_t node_count() const { return static_cast<std::size_t>(part_count_) + vertex_of_.size(); }
+  bool is_vertex(Index node) const { return node >= part_count_; }
+  Index vertex(Index node) const { return vertex_of_[node - part_count_]; }
+
+ private:
+  template <class Visit>
+  void for_each_face(Visit&& visit) {
     for (Index f = 0; f < mesh_.face_count(); ++f) {
-      if (f % items_per_checkpoint == 0) checkpoint();
-      join_in(f);
+      if (f % elements_per_checkpoint == 0) checkpoint();
+      const auto& corners = mesh_.face_vertices(f);
+      if (std::ranges::all_of(corners, [&](Index v) { return state_.vertices[v].distance == unreachable; }))
+        continue;
+      tree_.border_of(f, border_);
+      visit(f);
     }
-    return std::move(ridge_);
+  }
+
+  // Sectors around a vertex: ends of edges and corners of faces that are one area there.
+
+  Index at_edge_end(Index edge, Index vertex) const {
+    return 2 * edge + (geometry_.ends(edge)[0] == vertex ? 0 : 1);
+  }
+  Index at_corner(Index halfedge) const { return 2 * mesh_.edge_count() + halfedge; }
+
+  /// The vertex at the gap behind a piece of the border; no_index inside a side.
+  Index vertex_at_gap(Index face, Index gap) const {
+    const auto& piece = border_[gap];
+    const auto& next = border_[(gap + 1) % border_.size()];
+    if (piece.part == no_index) return mesh_.tail(3 * face + piece.side);
+    if (next.part == no_index || next.side != piece.side) return mesh_.head(3 * face + piece.side);
+    return no_index;
+  }
+  Index sector_at(Index face, const WaveTree::Piece& piece, Index vertex) const {
+    const Index h = 3 * face + piece.side;
+    return piece.part == no_index ? at_corner(h) : at_edge_end(mesh_.edge_of(h), vertex);
+  }
+  template <class Visit>
+  void for_each_vertex_gap(Index face, Visit&& visit) {
+    for (Index gap = 0; gap < static_cast<Index>(border_.size()); ++gap) {
+      const Index vertex = vertex_at_gap(face, gap);
+      if (vertex == no_index) continue;
+      const auto& next = border_[(gap + 1) % border_.size()];
+      visit(border_[gap].area == next.area, sector_at(face, border_[gap], vertex),
+            sector_at(face, next, vertex));
+    }
+  }
+
+  void join_sectors(Index face) {
+    for_each_vertex_gap(face, [&](bool is_one, Index before, Index behind) {
+      if (is_one) sectors_.join(before, behind);
+    });
+    for (const auto& piece : border_) {
+      if (piece.part == no_index) corners_.push_back(3 * face + piece.side);
+    }
+  }
+
+  /// A vertex belongs to the sector that it was reached through, and to those of paths that turn there.
+  void mark_own() {
+    for (const Index corner : corners_) is_own_[sectors_.root(at_corner(corner))] = 1;
+    for (Index v = 0; v < mesh_.vertex_count(); ++v) {
+      if (const Index edge = tree_.arrival(v); edge != no_index)
+        is_own_[sectors_.root(at_edge_end(edge, v))] = 1;
+    }
+    for (Index e = 0; e < mesh_.edge_count(); ++e) {
+      const auto [a, b] = geometry_.ends(e);
+      if (tree_.parts(e).front().from == Origin{Origin::vertex, a}) is_own_[sectors_.root(2 * e)] = 1;
+      if (tree_.parts(e).back().from == Origin{Origin::vertex, b}) is_own_[sectors_.root(2 * e + 1)] = 1;
+    }
+    runs_ = sectors_;
+  }
+  bool is_own(Index sector) { return is_own_[sectors_.root(sector)] != 0; }
+
+  /// Sectors that others reach, side by side: the lines around them go on at the vertex.
+  void join_runs(Index face) {
+    for_each_vertex_gap(face, [&](bool is_one, Index before, Index behind) {
+      if (!is_one && !is_own(before) && !is_own(behind)) runs_.join(before, behind);
+    });
+  }
+
+  Index add_node(Index vertex, bool is_kept) {
+    vertex_of_.push_back(vertex);
+    if (is_kept) kept_.push_back(part_count_ + static_cast<Index>(vertex_of_.size()) - 1);
+    return part_count_ + static_cast<Index>(vertex_of_.size()) - 1;
+  }
+
+  Index node_at_gap(Index face, Index gap) {
+    const auto& piece = border_[gap];
+    const auto& next = border_[(gap + 1) % border_.size()];
+    const Index vertex = vertex_at_gap(face, gap);
+    if (vertex == no_index) return std::min(piece.part, next.part);
+    const Index before = sector_at(face, piece, vertex), behind = sector_at(face, next, vertex);
+    if (is_own(before) && is_own(behind)) {
+      // A line that ends here, as others do at the same vertex: paths go on between. Of a convex vertex,
+      // that paths pass on both sides, one stays.
+      const bool stays = !has_leaf_[vertex] && begins_line(vertex);
+      if (stays) has_leaf_[vertex] = true;
+      return add_node(vertex, stays);
+    }
+    const auto [place, is_new] =
+        node_of_run_.try_emplace(runs_.root(is_own(before) ? behind : before), no_index);
+    if (is_new) place->second = add_node(vertex, state_.vertices[vertex].distance == unreachable);
+    return place->second;
+  }
+
+  bool begins_line(Index vertex) const {
+    return mesh_.fan(vertex) == Mesh::Fan::closed && !state_.is_source(vertex) &&
+           mesh_.total_angle(vertex) < 2.0 * std::numbers::pi - same_direction;
+  }
+
+  void find_meetings(Index face) {
+    WaveTree::gaps_before(border_, before_);
+    std::vector<bool> seen(border_.size(), false);
+    for (Index gap = 0; gap < static_cast<Index>(border_.size()); ++gap) {
+      if (seen[gap] || before_[gap] == gap) continue;
+      Meeting meeting{face, {}};
+      for (Index k = gap; !seen[k]; k = before_[k]) {
+        seen[k] = true;
+        meeting.ends.push_back({node_at_gap(face, k), k});
+      }
+      std::ranges::sort(meeting.ends, {}, &LineEnd::gap);
+      meetings_.push_back(std::move(meeting));
+    }
+  }
+
+  /// Lines that end where neither a convex vertex nor the border of the mesh is: on their two sides are parts
+  /// of one wave, which a vertex has parted.
+  void prune() {
+    const std::size_t count = node_count();
+    std::vector<Index> begin(count + 1, 0);
+    for (const Meeting& meeting : meetings_) {
+      for (const LineEnd& end : meeting.ends) ++begin[end.node + 1];
+    }
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<Index> meeting_of(begin.back()), place(begin.begin(), begin.end() - 1);
+    for (std::size_t m = 0; m < meetings_.size(); ++m) {
+      for (const LineEnd& end : meetings_[m].ends) meeting_of[place[end.node]++] = static_cast<Index>(m);
+    }
+    std::vector<Index> degree(count), alive(meetings_.size());
+    for (std::size_t n = 0; n < count; ++n) degree[n] = begin[n + 1] - begin[n];
+    for (std::size_t m = 0; m < meetings_.size(); ++m)
+      alive[m] = static_cast<Index>(meetings_[m].ends.size());
+    std::vector<bool> is_kept(count, false);
+    for (const Index node : kept_) is_kept[node] = true;
+    for (Index e = 0; e < mesh_.edge_count(); ++e) {
+      if (!mesh_.is_border_edge(e)) continue;
+      for (Index p = tree_.first_part(e); p < tree_.first_part(e + 1); ++p) is_kept[p] = true;
+    }
+    for (const auto& [sector, node] : node_of_run_) {
+      const bool begins = !has_leaf_[vertex(node)] && begins_line(vertex(node));
+      if (begins) has_leaf_[vertex(node)] = true;
+      if (begins || (degree[node] == 1 && mesh_.is_border(vertex(node)))) is_kept[node] = true;
+    }
+    std::vector<Index> leaves;
+    const auto look_at = [&](Index node) {
+      if (degree[node] == 1 && !is_kept[node]) leaves.push_back(node);
+    };
+    for (std::size_t n = 0; n < count; ++n) look_at(static_cast<Index>(n));
+    std::vector<bool> is_gone(count, false);
+    while (!leaves.empty()) {
+      const Index leaf = leaves.back();
+      leaves.pop_back();
+      is_gone[leaf] = true;
+      for (Index k = begin[leaf]; k < begin[leaf + 1]; ++k) {
+        const Index m = meeting_of[k];
+        if (alive[m] == 0 || --alive[m] > 1) continue;
+        alive[m] = 0;
+        for (const LineEnd& end : meetings_[m].ends) {
+          if (is_gone[end.node]) continue;
+          --degree[end.node];
+          look_at(end.node);
+        }
+      }
+    }
+    for (std::size_t m = 0; m < meetings_.size(); ++m) {
+      if (alive[m] == 0) meetings_[m].ends.clear();
+      std::erase_if(meetings_[m].ends, [&](const LineEnd& end) { return is_gone[end.node]; });
+    }
+    std::erase_if(meetings_, [](const Meeting& meeting) { return meeting.ends.empty(); });
+  }
+
+  const ExactSolver::State& state_;
+  const Mesh& mesh_;
+  const ExactGeometry& geometry_;
+  const WaveTree& tree_;
+  Index part_count_;
+  std::vector<WaveTree::Piece> border_;  ///< of the face being visited
+  std::vector<Index> before_;
+  DisjointSets sectors_, runs_{0};
+  std::vector<std::uint8_t> is_own_;  ///< by root of a sector
+  std::vector<Index> corners_;        ///< that are pieces
+  std::vector<bool> has_leaf_;        ///< by vertex
+  std::vector<Index> vertex_of_;      ///< by node behind those of parts
+  std::vector<Index> kept_;           ///< nodes where lines may end
+  std::unordered_map<Index, Index> node_of_run_;
+  std::vector<Meeting> meetings_;
+};
+
+// ---- The lines as points and edges
+
+class RidgeMaker {
+ public:
+  RidgeMaker(const ExactSolver& solver, const ExactSolver::State& state)
+      : solver_(solver),
+        state_(state),
+        mesh_(state.mesh),
+        geometry_(*state.geometry),
+        tree_(state),
+        graph_(state, tree_),
+        point_of_node_(graph_.node_count(), no_index) {}
+
+  Ridge make() {
+    std::size_t count = 0;
+    for (const Meeting& meeting : graph_.meetings()) {
+      if (++count % elements_per_checkpoint == 0) checkpoint();
+      if (meeting.ends.size() == 2) {
+        add_line(point_of(meeting.ends[0].node), point_of(meeting.ends[1].node));
+      } else {
+        join(meeting);
+      }
+    }
+    return without_far();
   }
 
  private:
-  static constexpr Index items_per_checkpoint = 1 << 10;
-
-  /// Where a line crosses an edge.
-  struct Crossing {
-    double x;
-    Index point;
-    std::array<RidgeWave, 2> waves;
-  };
-  /// A line that begins at a corner of a face.
-  struct Beginning {
-    Index face;
-    Index vertex;
-    PlanePoint to;  ///< where it leaves the face, in its plane
-    Index point;
-  };
-  /// A side of a face, and how far along it.
-  using BorderPlace = std::pair<int, double>;
-  /// A line at a point of the border of a face.
   struct End {
-    BorderPlace at;
     PlanePoint place;
     Index point;
     Curve curve;
@@ -145,150 +329,38 @@ class RidgeFinder {
     ridge_.angle.push_back(angle);
     return static_cast<Index>(ridge_.points.size()) - 1;
   }
-  /// With the angle 0.
-  Index vertex_point(Index vertex) {
-    const auto [place, is_new] = point_at_vertex_.try_emplace(vertex, no_index);
-    if (is_new)
-      place->second = add_point(SurfacePoint::at_vertex(vertex), state_.vertices[vertex].distance, 0.0);
-    return place->second;
-  }
-  SurfacePoint point_at(Index edge, double x) const {
-    const double part = x / mesh_.edge_length(edge);
-    return point_on_edge(mesh_, edge, geometry_.is_turned(edge) ? 1.0 - part : part);
-  }
+  void add_line(Index a, Index b) { ridge_.edges.push_back({a, b}); }
 
-  /// The windows of an edge, each without the part where a path along the edge from one of its ends, at these
-  /// distances, is shorter.
-  std::vector<Window> shortest_windows(Index edge, double at_a, double at_b) const {
-    const double length = mesh_.edge_length(edge);
-    std::vector<Window> shortest;
-    for (Window window : state_.envelope.windows(edge)) {
-      const auto overtaken_from = [&](double distance, double source_x) {
-        return vertex_takeover(distance, window.offset, source_x, window.source_y);
-      };
-      const double rounding = equal_waves * (window.distance(window.begin) + length);
-      if (window.distance(window.begin) > at_a + window.begin + rounding) {
-        if (window.distance(window.end) >= at_a + window.end) continue;
-        window.begin = std::clamp(overtaken_from(at_a, window.source_x), window.begin, window.end);
-      }
-      if (window.distance(window.end) > at_b + length - window.end + rounding) {
-        if (window.distance(window.begin) >= at_b + length - window.begin) continue;
-        const double x = length - overtaken_from(at_b, length - window.source_x);
-        window.end = std::clamp(x, window.begin, window.end);
-      }
-      shortest.push_back(window);
+  Index point_of(Index node) {
+    Index& number = point_of_node_[node];
+    if (number != no_index) return number;
+    if (graph_.is_vertex(node)) {
+      const Index vertex = graph_.vertex(node);
+      return number = add_point(SurfacePoint::at_vertex(vertex), state_.vertices[vertex].distance,
+                                angle_at(vertex));
     }
-    return shortest;
+    const EdgePart &part = tree_.part(node), &next = tree_.part(node + 1);
+    const Index edge = edge_of(node), face = Mesh::face_of(mesh_.edge_halfedge(edge));
+    const double x = part.end, fraction = x / mesh_.edge_length(edge);
+    const SurfacePoint point =
+        point_on_edge(mesh_, edge, geometry_.is_turned(edge) ? 1.0 - fraction : fraction);
+    return number = add_point(point, std::min(part.distance(x), next.distance(x)),
+                              angle_in_plane(part.direction(x, face), next.direction(x, face)));
   }
-
-  void look_along(Index edge) {
-    const double length = mesh_.edge_length(edge);
-    const auto [a, b] = geometry_.ends(edge);
-    const double at_a = state_.vertices[a].distance, at_b = state_.vertices[b].distance;
-    const std::vector<Window> windows = shortest_windows(edge, at_a, at_b);
-    // What the windows leave free at the ends is reached along the edge.
-    std::optional<RidgeWave> last;
-    if (at_a < unreachable) last.emplace(0.0, at_a);
-    double last_end = windows.empty() ? 0.5 * (length + at_b - at_a) : windows.front().begin;
-    // Windows of both faces may take turns along a line, with narrow ones between.
-    std::vector<std::uint8_t> is_line;
-    for (const Window& window : windows) is_line.push_back(runs_along(edge, window) ? 1 : 0);
-    for (std::size_t i = 1; i + 1 < windows.size(); ++i) {
-      const bool is_narrow = windows[i].end - windows[i].begin <= tiny_part * length;
-      if (is_narrow && is_line[i - 1] != 0 && is_line[i + 1] != 0) is_line[i] = 1;
+  /// Of a part.
+  Index edge_of(Index part) const {
+    Index low = 0, high = mesh_.edge_count();
+    while (high - low > 1) {
+      const Index middle = (low + high) / 2;
+      (tree_.first_part(middle) <= part ? low : high) = middle;
     }
-    double line_begin = 0.0;
-    for (std::size_t i = 0; i < windows.size(); ++i) {
-      const bool goes_on = i > 0 && is_line[i - 1] != 0;
-      if (goes_on && is_line[i] == 0) run_along(edge, line_begin, last_end);
-      if (!goes_on && is_line[i] != 0) line_begin = windows[i].begin;
-      if (last && !(goes_on && is_line[i] != 0))
-        cross_at(edge, last_end, windows[i].begin, *last, RidgeWave(windows[i]));
-      last.emplace(windows[i]);
-      last_end = windows[i].end;
-    }
-    if (!windows.empty() && is_line.back() != 0) run_along(edge, line_begin, last_end);
-    if (last && at_b < unreachable) cross_at(edge, last_end, last_end, *last, {length, at_b});
+    return low;
   }
 
-  /// A line crosses the edge where one wave ends and the next one begins, unless these are parts of one.
-  void cross_at(Index edge, double end, double begin, const RidgeWave& one, const RidgeWave& other) {
-    const double length = mesh_.edge_length(edge), x = 0.5 * (end + begin);
-    if (!(x > beside_vertex * length && x < (1.0 - beside_vertex) * length)) return;
-    const double distance = one.distance(x), gap = std::abs(end - begin);
-    const double rounding = equal_waves * (distance + length) + (gap <= tiny_part * length ? gap : 0.0);
-    if (!(distance <= state_.max_distance) || std::abs(distance - other.distance(x)) > rounding) return;
-    const Index face = Mesh::face_of(mesh_.edge_halfedge(edge));
-    const double angle = angle_in_plane(one.direction(x, face), other.direction(x, face));
-    if (!(angle > same_direction)) return;
-    crossings_.push_back({x, add_point(point_at(edge, x), distance, angle), {one, other}});
-  }
-
-  /// Whether a line runs along the part of an edge that a window of one face covers: another face brings an
-  /// equal wave there.
-  bool runs_along(Index edge, const Window& window) const {
-    if (!(window.end - window.begin > tiny_part * mesh_.edge_length(edge)) || mesh_.is_border_edge(edge))
-      return false;
-    return std::ranges::all_of(std::array{1.0 / 3.0, 2.0 / 3.0}, [&](double part) {
-      const double x = window.begin + part * (window.end - window.begin);
-      return angle_with_other_face(edge, x, RidgeWave(window)) > same_direction;
-    });
-  }
-
-  void run_along(Index edge, double begin, double end) {
-    const double length = mesh_.edge_length(edge);
-    const auto point_of = [&](double x) {
-      if (x <= tiny_part * length) return vertex_point(geometry_.ends(edge)[0]);
-      if (x >= (1.0 - tiny_part) * length) return vertex_point(geometry_.ends(edge)[1]);
-      for (std::size_t i = crossings_begin_.back(); i < crossings_.size(); ++i) {
-        if (std::abs(crossings_[i].x - x) <= tiny_part * length) return crossings_[i].point;
-      }
-      const SurfacePoint at = point_at(edge, x);
-      return add_point(at, solver_.distance(at), 0.0);
-    };
-    const Index from = point_of(begin);
-    ridge_.edges.push_back({from, point_of(end)});
-  }
-
-  /// Between the direction of a wave and that of an equal one from another face at an edge; 0 if there is
-  /// none.
-  double angle_with_other_face(Index edge, double x, const RidgeWave& wave) const {
-    const double distance = wave.distance(x);
-    if (!(distance <= state_.max_distance)) return 0.0;
-    double angle = 0.0;
-    for_each_face_at(mesh_, point_at(edge, x), [&](Index face, const std::array<double, 3>& weights) {
-      if (face == wave.through) return;
-      const BackStep step = best_back_step(state_, face, weights);
-      if (!(std::abs(step.distance - distance) <= equal_waves * distance)) return;
-      const FacePlane plane(geometry_, face);
-      const PlanePoint toward = minus_in_plane(origin_of(step, face), plane.at(weights));
-      const EdgeAxes axes(geometry_, plane, face, edge);
-      const PlanePoint there{dot_in_plane(toward, axes.along), dot_in_plane(toward, axes.inwards)};
-      angle = std::max(angle, angle_in_plane(wave.direction(x, face), there));
-    });
-    return angle;
-  }
-
-  /// Where a step back leads, in the plane of its face.
-  PlanePoint origin_of(const BackStep& step, Index face) const {
-    const FacePlane plane(geometry_, face);
-    if (step.source != no_index) return plane.at(source_in_face(state_, step.source, face));
-    if (step.vertex != no_index) return plane.corner[corner_of(face, step.vertex)];
-    const EdgeAxes axes(geometry_, plane, face, mesh_.edge_of(step.halfedge));
-    return {axes.origin[0] + step.x * axes.along[0], axes.origin[1] + step.x * axes.along[1]};
-  }
-  int corner_of(Index face, Index vertex) const {
-    const auto& corners = mesh_.face_vertices(face);
-    return static_cast<int>(std::ranges::find(corners, vertex) - corners.begin());
-  }
-
-  /// Lines begin at a vertex between the directions in which shortest paths arrive: behind it, at the angle
-  /// halfway between two.
-  void begin_at(Index vertex) {
-    if (mesh_.representative(vertex) != vertex || !TangentFrame::exists_at(mesh_, vertex)) return;
+  /// The greatest angle between directions in which shortest paths arrive at a vertex side by side.
+  double angle_at(Index vertex) const {
     const double distance = state_.vertices[vertex].distance;
-    if (!(distance <= state_.max_distance) || distance == unreachable || state_.is_source(vertex)) return;
-    const bool is_open = mesh_.fan(vertex) == Mesh::Fan::open;
+    if (!TangentFrame::exists_at(mesh_, vertex) || distance == unreachable) return 0.0;
     const TangentFrame frame(geometry_, SurfacePoint::at_vertex(vertex));
     const double turn = frame.full_turn();
     std::vector<double> arrivals;
@@ -306,172 +378,89 @@ class RidgeFinder {
       arrivals.push_back(angle - turn * std::floor(angle / turn));
     });
     std::ranges::sort(arrivals);
-    const auto same = [](double a, double b) { return b - a <= same_direction; };
-    arrivals.erase(std::ranges::unique(arrivals, same).begin(), arrivals.end());
-    if (arrivals.size() > 1 && arrivals.front() + turn - arrivals.back() <= same_direction)
-      arrivals.pop_back();
+    double greatest = 0.0;
     for (std::size_t i = 0; i < arrivals.size(); ++i) {
       const bool is_last = i + 1 == arrivals.size();
-      if (is_last && is_open) break;
+      if (is_last && mesh_.fan(vertex) == Mesh::Fan::open) break;
       const double sector = (is_last ? arrivals.front() + turn : arrivals[i + 1]) - arrivals[i];
-      const double angle = sector < std::numbers::pi ? sector : 2.0 * std::numbers::pi - sector;
-      if (!(angle > same_direction)) continue;
-      begin_line(frame, arrivals[i] + 0.5 * sector);
-      if (const auto point = point_at_vertex_.find(vertex); point != point_at_vertex_.end())
-        ridge_.angle[point->second] = std::max(ridge_.angle[point->second], angle);
+      greatest = std::max(greatest, sector < std::numbers::pi ? sector : 2.0 * std::numbers::pi - sector);
+    }
+    return greatest;
+  }
+
+  // Lines that meet in a face
+
+  PlaneWave wave_of(const WaveTree::Piece& piece, Index face, const FacePlane& plane) const {
+    if (piece.part != no_index) return wave_of(piece.part, mesh_.edge_of(3 * face + piece.side), face, plane);
+    switch (piece.area.kind) {
+      case Origin::part:
+        for (int i = 0; i < 3; ++i) {
+          const Index edge = mesh_.edge_of(3 * face + i);
+          if (piece.area.id >= tree_.first_part(edge) && piece.area.id < tree_.first_part(edge + 1))
+            return wave_of(piece.area.id, edge, face, plane);
+        }
+        return {};
+      case Origin::vertex:
+        return {plane.corner[piece.side], state_.vertices[piece.area.id].distance};
+      case Origin::source:
+        return {plane.at(source_in_face(state_, piece.area.id, face)), state_.sources[piece.area.id].offset};
+      default:
+        return {};
     }
   }
-
-  void begin_line(const TangentFrame& frame, double direction) {
-    for (const EdgeView& view : frame.views()) {
-      const double off = std::remainder(direction - view.across, frame.full_turn());
-      if (!(std::abs(off) < 0.5 * std::numbers::pi)) continue;
-      const Index edge = mesh_.edge_of(view.halfedge);
-      const double length = mesh_.edge_length(edge);
-      const double x = view.x + view.sign * view.y * std::tan(off);
-      // Along a side, it is found there.
-      if (!(x > beside_vertex * length && x < (1.0 - beside_vertex) * length)) continue;
-      const Index face = Mesh::face_of(view.halfedge);
-      const EdgeAxes axes(geometry_, FacePlane(geometry_, face), face, edge);
-      const PlanePoint to{axes.origin[0] + x * axes.along[0], axes.origin[1] + x * axes.along[1]};
-      beginnings_.push_back({face, frame.point().vertex, to, vertex_point(frame.point().vertex)});
-      return;
-    }
+  PlaneWave wave_of(Index number, Index edge, Index face, const FacePlane& plane) const {
+    const EdgePart& part = tree_.part(number);
+    if (!(mesh_.edge_length(edge) > 0.0)) return {};
+    const EdgeAxes axes(geometry_, plane, face, edge);
+    const double inside = part.through == face ? part.y : -part.y;
+    return {{axes.origin[0] + part.x * axes.along[0] + inside * axes.inwards[0],
+             axes.origin[1] + part.x * axes.along[1] + inside * axes.inwards[1]},
+            part.offset};
   }
 
-  PlaneWave in_plane(const RidgeWave& wave, Index face, const EdgeAxes& axes) const {
-    const double inside = wave.through == face ? wave.y : -wave.y;
-    return {{axes.origin[0] + wave.x * axes.along[0] + inside * axes.inwards[0],
-             axes.origin[1] + wave.x * axes.along[1] + inside * axes.inwards[1]},
-            wave.offset,
-            0};
-  }
-
-  /// Visits the half-edges of a face with their edges, in order round it. `along(x)` is how far a place of
-  /// the edge is from the corner where the half-edge begins.
-  template <class Visit>
-  void for_each_side(Index face, Visit&& visit) const {
-    for (int i = 0; i < 3; ++i) {
-      const Index h = 3 * face + i, edge = mesh_.edge_of(h);
-      const bool is_forth = mesh_.tail(h) == geometry_.ends(edge)[0];
-      const double length = mesh_.edge_length(edge);
-      visit(i, edge, [is_forth, length](double x) { return is_forth ? x : length - x; });
-    }
-  }
-
-  /// In order round the face.
-  std::vector<End> ends_in(Index face, const FacePlane& plane) const {
+  std::vector<End> ends_of(const Meeting& meeting, const FacePlane& plane) {
+    tree_.border_of(meeting.face, border_);
     std::vector<End> ends;
-    for_each_side(face, [&](int side, Index edge, const auto& along) {
-      for (auto it = std::ranges::lower_bound(beginnings_, face, {}, &Beginning::face);
-           it != beginnings_.end() && it->face == face; ++it) {
-        if (it->vertex != mesh_.face_vertices(face)[side]) continue;
-        const PlanePoint way = minus_in_plane(it->to, plane.corner[side]);
-        const double length = std::hypot(way[0], way[1]);
-        Curve straight;
-        straight.is_straight = true;
-        straight.from = plane.corner[side];
-        straight.direction = {way[0] / length, way[1] / length};
-        ends.push_back({{side, 0.0}, plane.corner[side], it->point, straight});
+    for (const auto& [node, gap] : meeting.ends) {
+      const auto& piece = border_[gap];
+      const auto& next = border_[(gap + 1) % border_.size()];
+      End end;
+      end.point = point_of(node);
+      end.curve.waves = {wave_of(piece, meeting.face, plane), wave_of(next, meeting.face, plane)};
+      if (graph_.is_vertex(node)) {
+        const auto& corners = mesh_.face_vertices(meeting.face);
+        end.place = plane.corner[std::ranges::find(corners, graph_.vertex(node)) - corners.begin()];
+      } else {
+        const EdgeAxes axes(geometry_, plane, meeting.face, mesh_.edge_of(3 * meeting.face + piece.side));
+        const double x = tree_.part(node).end;
+        end.place = {axes.origin[0] + x * axes.along[0], axes.origin[1] + x * axes.along[1]};
       }
-      if (crossings_begin_[edge] == crossings_begin_[edge + 1]) return;
-      const EdgeAxes axes(geometry_, plane, face, edge);
-      for (std::size_t k = crossings_begin_[edge]; k < crossings_begin_[edge + 1]; ++k) {
-        const auto& [x, point, waves] = crossings_[k];
-        Curve curve;
-        // In order round the face.
-        const bool is_forth = along(0.0) == 0.0;
-        for (int w = 0; w < 2; ++w) curve.waves[w] = in_plane(waves[is_forth ? w : 1 - w], face, axes);
-        ends.push_back({{side, along(x)},
-                        {axes.origin[0] + x * axes.along[0], axes.origin[1] + x * axes.along[1]},
-                        point,
-                        curve});
-      }
-    });
-    std::ranges::sort(ends, {}, &End::at);
+      ends.push_back(end);
+    }
     return ends;
   }
 
-  /// Numbers for the parts of the border of a face, each from an end to the next: equal ones belong to one
-  /// region, without a line between. So are those that one wave reaches, as all of its rays to the source do
-  /// not leave its region, and neighbours in the same part.
-  std::vector<Index> regions_between(Index face, const FacePlane& plane, const std::vector<End>& ends) const {
-    std::vector<PlaneWave> waves;
-    const auto add = [&](PlaneWave wave, const BorderPlace& at) {
-      const auto before = std::ranges::lower_bound(ends, at, {}, &End::at) - ends.begin();
-      wave.part = static_cast<Index>((before == 0 ? static_cast<std::ptrdiff_t>(ends.size()) : before) - 1);
-      waves.push_back(wave);
-    };
-    // An end tells for sure what is on its two sides.
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-      if (ends[i].curve.is_straight) continue;
-      for (std::size_t side : {0, 1}) {
-        waves.push_back(ends[i].curve.waves[side]);
-        waves.back().part = static_cast<Index>((i + ends.size() - 1 + side) % ends.size());
-      }
-    }
-    for_each_side(face, [&](int side, Index edge, const auto& along) {
-      const Index corner = mesh_.face_vertices(face)[side];
-      if (geometry_.can_bend[corner] && state_.vertices[corner].distance < unreachable)
-        add({plane.corner[side], state_.vertices[corner].distance, 0}, {side, 0.0});
-      const double length = mesh_.edge_length(edge);
-      if (!(length > 0.0)) return;
-      const EdgeAxes axes(geometry_, plane, face, edge);
-      for (const Window& window : state_.envelope.windows(edge)) {
-        if (!(window.end - window.begin > tiny_part * length)) continue;
-        add(in_plane(RidgeWave(window), face, axes), {side, along(0.5 * (window.begin + window.end))});
-      }
-    });
-    std::ranges::sort(waves, {}, [](const PlaneWave& wave) { return wave.source[0]; });
-    DisjointSets regions(static_cast<Index>(ends.size()));
-    for (std::size_t i = 0; i < waves.size(); ++i) {
-      for (std::size_t j = i + 1; j < waves.size() && waves[i].may_be(waves[j].source[0]); ++j) {
-        if (waves[i].is_same(waves[j])) regions.join(waves[i].part, waves[j].part);
-      }
-    }
-    std::vector<Index> region;
-    for (Index part = 0; part < static_cast<Index>(ends.size()); ++part) region.push_back(regions.root(part));
-    return region;
-  }
-
-  void join_in(Index face) {
-    const FacePlane plane(geometry_, face);
-    const std::vector<End> ends = ends_in(face, plane);
+  void join(const Meeting& meeting) {
+    const FacePlane plane(geometry_, meeting.face);
+    std::vector<End> ends = ends_of(meeting, plane);
     double size = 0.0;
-    for (int i = 0; i < 3; ++i) size = std::max(size, mesh_.edge_length(mesh_.edge_of(3 * face + i)));
-    if (ends.size() <= 2) return join(face, plane, ends, size);
-    // Ends between two parts of one region are joined with one another only.
-    const std::vector<Index> region = regions_between(face, plane, ends);
-    std::vector<std::size_t> open;
-    const auto join_open = [&](std::size_t first) {
-      std::vector<End> together;
-      for (std::size_t k = first; k < open.size(); ++k) together.push_back(ends[open[k]]);
-      join(face, plane, together, size);
-      open.resize(first);
-    };
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-      open.push_back(i);
-      const auto same = std::ranges::find(open, region[i], [&](std::size_t k) { return region[k]; });
-      if (*same != i) join_open(static_cast<std::size_t>(same - open.begin()) + 1);
-    }
-    join_open(0);
-  }
-
-  /// Lines that meet.
-  void join(Index face, const FacePlane& plane, const std::vector<End>& ends, double size) {
-    if (ends.size() == 2) ridge_.edges.push_back({ends[0].point, ends[1].point});
-    if (ends.size() <= 2 || join_at_junction(face, plane, ends, size)) return;
-    PlanePoint middle{};
-    for (const End& end : ends) {
-      for (int c = 0; c < 2; ++c) middle[c] += end.place[c] / static_cast<double>(ends.size());
-    }
-    join_at(face, plane, ends, middle);
-  }
-
-  /// Where all lines of a face meet in one point.
-  bool join_at_junction(Index face, const FacePlane& plane, const std::vector<End>& ends, double size) {
-    constexpr int most_steps = 30;
+    for (int i = 0; i < 3; ++i) size = std::max(size, mesh_.edge_length(mesh_.edge_of(3 * meeting.face + i)));
     PlanePoint place{};
+    if (!find_junction(plane, ends, size, place)) {
+      place = {};
+      for (const End& end : ends) {
+        for (int c = 0; c < 2; ++c) place[c] += end.place[c] / static_cast<double>(ends.size());
+      }
+    }
+    const Index junction = add_junction(meeting.face, plane, ends, place);
+    for (const End& end : ends) add_line(end.point, junction);
+  }
+
+  /// Where lines of a face meet in one point.
+  static bool find_junction(const FacePlane& plane, std::span<const End> ends, double size,
+                            PlanePoint& place) {
+    constexpr int most_steps = 30;
+    place = {};
     for (const PlanePoint& corner : plane.corner)
       place = {place[0] + corner[0] / 3.0, place[1] + corner[1] / 3.0};
     double off = 0.0;
@@ -496,10 +485,7 @@ class RidgeFinder {
       if (std::hypot(move[0], move[1]) <= 1e-14 * size) break;
     }
     if (!(off <= on_curve * size)) return false;
-    const auto weights = weights_of(plane, place);
-    if (!std::ranges::all_of(weights, [](double weight) { return weight >= -1e-9; })) return false;
-    join_at(face, plane, ends, place);
-    return true;
+    return std::ranges::all_of(weights_of(plane, place), [](double weight) { return weight >= -1e-9; });
   }
 
   static std::array<double, 3> weights_of(const FacePlane& plane, const PlanePoint& place) {
@@ -511,33 +497,55 @@ class RidgeFinder {
     return {area(place, b, c) / whole, area(a, place, c) / whole, area(a, b, place) / whole};
   }
 
-  void join_at(Index face, const FacePlane& plane, const std::vector<End>& ends, const PlanePoint& place) {
+  Index add_junction(Index face, const FacePlane& plane, std::span<const End> ends, const PlanePoint& place) {
     auto weights = weights_of(plane, place);
     double sum = 0.0, angle = 0.0;
     for (double& weight : weights) sum += weight = std::max(weight, 0.0);
     for (double& weight : weights) weight /= sum;
+    // A face without area.
+    if (!std::isfinite(weights[0] + weights[1] + weights[2])) weights = {1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0};
     for (const End& end : ends) angle = std::max(angle, ridge_.angle[end.point]);
     const SurfacePoint at = canonical(mesh_, SurfacePoint::in_face(face, weights));
-    const Index junction = add_point(at, solver_.distance(at), angle);
-    for (const End& end : ends) ridge_.edges.push_back({end.point, junction});
+    return add_point(at, solver_.distance(at), angle);
+  }
+
+  /// Without lines beyond the limit of the run.
+  Ridge without_far() {
+    const auto is_far = [&](Index point) {
+      return !(ridge_.distance[point] <= state_.max_distance) || ridge_.distance[point] == unreachable;
+    };
+    Ridge kept;
+    std::vector<Index> number(ridge_.points.size(), no_index);
+    for (const auto& edge : ridge_.edges) {
+      if (is_far(edge[0]) || is_far(edge[1])) continue;
+      for (const Index point : edge) {
+        if (number[point] != no_index) continue;
+        number[point] = static_cast<Index>(kept.points.size());
+        kept.points.push_back(ridge_.points[point]);
+        kept.distance.push_back(ridge_.distance[point]);
+        kept.angle.push_back(ridge_.angle[point]);
+      }
+      kept.edges.push_back({number[edge[0]], number[edge[1]]});
+    }
+    return kept;
   }
 
   const ExactSolver& solver_;
   const ExactSolver::State& state_;
   const Mesh& mesh_;
   const ExactGeometry& geometry_;
+  WaveTree tree_;
+  LineGraph graph_;
   Ridge ridge_;
-  std::vector<Crossing> crossings_;
-  std::vector<std::size_t> crossings_begin_;  ///< by edge
-  std::vector<Beginning> beginnings_;         ///< by face
-  std::unordered_map<Index, Index> point_at_vertex_;
+  std::vector<WaveTree::Piece> border_;
+  std::vector<Index> point_of_node_;
 };
 
 }  // namespace
 
 Ridge ExactSolver::ridge() const {
   state_->require_windows();
-  return RidgeFinder(*this, *state_).find();
+  return RidgeMaker(*this, *state_).make();
 }
 
 }  // namespace vorogeo

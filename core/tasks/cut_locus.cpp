@@ -1,19 +1,48 @@
 // The points that several shortest paths reach, as lines over the surface.
 #include "tasks/cut_locus.h"
 
+#include <algorithm>
 #include <numbers>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace vorogeo {
 
 namespace {
 
-/// The edges whose points have at least this angle, with these points.
+/// Without the ends of lines up to where they have at least this angle: what was connected stays so.
 Ridge with_angle(const Ridge& all, double min_angle) {
+  if (min_angle == 0.0) return all;
+  const std::size_t count = all.points.size();
+  std::vector<std::vector<Index>> edges_of(count);
+  for (Index e = 0; e < static_cast<Index>(all.edges.size()); ++e) {
+    for (const Index point : all.edges[e]) edges_of[point].push_back(e);
+  }
+  std::vector<std::size_t> degree(count);
+  std::vector<bool> is_gone(all.edges.size(), false);
+  std::vector<Index> ends;
+  const auto look_at = [&](Index point) {
+    if (degree[point] == 1) ends.push_back(point);
+  };
+  for (std::size_t p = 0; p < count; ++p) {
+    degree[p] = edges_of[p].size();
+    look_at(static_cast<Index>(p));
+  }
+  while (!ends.empty()) {
+    const Index end = ends.back();
+    ends.pop_back();
+    for (const Index e : edges_of[end]) {
+      const auto& [a, b] = all.edges[e];
+      if (is_gone[e] || std::min(all.angle[a], all.angle[b]) >= min_angle) continue;
+      is_gone[e] = true;
+      --degree[end];
+      const Index next = a == end ? b : a;
+      --degree[next];
+      look_at(next);
+    }
+  }
   Ridge kept;
-  std::vector<Index> number(all.points.size(), no_index);
+  std::vector<Index> number(count, no_index);
   const auto keep = [&](Index point) {
     if (number[point] == no_index) {
       number[point] = static_cast<Index>(kept.points.size());
@@ -23,10 +52,10 @@ Ridge with_angle(const Ridge& all, double min_angle) {
     }
     return number[point];
   };
-  for (const auto& [a, b] : all.edges) {
-    if (!(all.angle[a] >= min_angle && all.angle[b] >= min_angle)) continue;
-    const Index first = keep(a);
-    kept.edges.push_back({first, keep(b)});
+  for (std::size_t e = 0; e < all.edges.size(); ++e) {
+    if (is_gone[e]) continue;
+    const Index first = keep(all.edges[e][0]);
+    kept.edges.push_back({first, keep(all.edges[e][1])});
   }
   return kept;
 }

@@ -8,8 +8,9 @@ namespace vorogeo {
 
 /// The ridge of the distance from the nearest of some sources: from one, its cut locus, without which the
 /// surface can be laid out from there; from several, also the borders of their Voronoi regions. Only what is
-/// within max_distance and where directions differ by min_angle or more. On a polyhedron, a line begins at
-/// each convex vertex; where that stands for a smooth surface, the directions along it hardly differ.
+/// within max_distance, and without the ends of lines up to where directions differ by min_angle: what was
+/// connected stays so. On a polyhedron, a line begins at each convex vertex; where that stands for a smooth
+/// surface, the directions along it hardly differ.
 ///
 /// Always exact (Ridge). \throw InvalidInput for no source, one that is not on the mesh, an angle that is not
 /// from 0 to pi, a limit below 0, `by` an index or quick, and where a metric jumps at edges; Cancelled.

@@ -550,7 +550,8 @@ std::vector<FilterRow> region_rows() {
            help_on_task_points() +
            "<p>How to choose: a line begins at each vertex that is a convex corner, on a scan at every "
            "second one, and the directions of the paths on both sides of it hardly differ: <b>Least "
-           "angle</b> leaves out where they differ by less. 0 shows all lines. Exact, without an index.</p>"
+           "angle</b> leaves out the ends of lines up to where they differ by as much. 0 shows all lines. "
+           "Exact, without an index.</p>"
            "<p>Returns the number of <i>segments</i> and their <i>length</i>. The mesh is not changed.</p>"
            "<p>See:<br/><i>Micha Sharir, Amir Schorr</i><br/><b>\"On shortest paths in polyhedral "
            "spaces\"</b><br/>SIAM Journal on Computing 15(1), 1986.</p>",

@@ -255,16 +255,16 @@ class Directions(Tasks):
 
         Without it, the surface can be laid out from the source. From several sources, also the borders of their Voronoi
         regions: the ridge of the field. Exact where it crosses edges; in a face straight, as it is unless a path has
-        turned, and up to three lines and more that meet in one point. On a polyhedron it has a line to each convex
-        vertex, along which directions hardly differ where that stands for a smooth surface: `min_angle` leaves these
-        out.
+        turned, and up to three lines and more that meet in one point. Its topology is exact: without it, a closed
+        surface is one disk for each source. On a polyhedron it has a line to each convex vertex, along which directions
+        hardly differ where that stands for a smooth surface: `min_angle` leaves these out.
 
         Parameters
         ----------
         sources : k points, k >= 1
         min_angle : float, default 0
-            Only points where the directions of two shortest paths differ by so much, in radians, at most pi. Directions
-            that differ by less than 1e-4 count as one.
+            Ends of lines are left out up to where the directions of two shortest paths differ by so much, in radians,
+            at most pi. What was connected stays so.
         max_distance : float, optional
             Only what is within this distance; None for no limit.
         """
