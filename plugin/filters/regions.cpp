@@ -22,6 +22,7 @@
 #include "patches/partition.h"
 #include "support/error.h"
 #include "tasks/bands.h"
+#include "tasks/curve_sources.h"
 #include "tasks/cut.h"
 #include "tasks/cut_locus.h"
 #include "tasks/extent.h"
@@ -385,12 +386,27 @@ RichParameterList band_parameters(const MeshDocument& document) {
 Results measure_band(FilterCall& call) {
   const auto layer = layer_of(call);
   const double width = length_of(call, "width", true);
-  const CurveSources curve = points_along_curve(call, *layer, spacing_of(call, *layer->mesh()));
+  const auto mesh = layer->mesh();
+  const double spacing = spacing_of(call, *mesh);
+  const bool is_selected = curve_is_selected(call);
   std::vector<SurfacePoint> points;
-  for (const ExactSource& source : curve.sources) points.push_back(source.point);
-  auto [found, answered, results] = ask_task(call, *layer, "Area of a band", band, PointList(points), width);
+  CurveLegs legs;
+  if (is_selected) {
+    const auto edges = edges_of_curve(*mesh, selected_curve(call, *layer, *mesh));
+    for (const ExactSource& source : sources_along_edges(*mesh, edges, spacing))
+      points.push_back(source.point);
+  } else {
+    legs = legs_of_curve(call, *layer);
+  }
+  const auto ask = [&](Surface& surface, const TaskOptions& options) {
+    if (!is_selected) {
+      points = points_along(surface, legs, spacing, {options.by, options.progress.part(0.0, 0.2)});
+    }
+    return band(surface, points, width, {options.by, options.progress.part(0.2, 1.0), options.answered});
+  };
+  auto [found, answered, results] = ask_task(call, *layer, "Area of a band", ask);
   results.merge(about_band(call, logged_length(width) + " of the curve", found));
-  results["snap_distance"] = curve.snap_distance;
+  results["snap_distance"] = legs.snap_distance;
   return results;
 }
 
@@ -620,7 +636,8 @@ std::vector<FilterRow> region_rows() {
        "and round its ends; and the length of its border, to which borders of the mesh do not count. Faces "
        "that the border crosses count in part. The mesh is not changed.</p>" +
            help_on_curve() +
-           "<p>How to choose: the curve may be open and in several parts. It counts as points at most "
+           "<p>How to choose: the curve may be open, branch and be in several parts; shortest paths join the "
+           "ends of its lines, and the points of a layer without lines. It counts as points at most "
            "<b>Spacing</b> apart: the border then has dents of at most spacing<sup>2</sup> / (8 width), and "
            "0 is a quarter of the typical edge.</p><p>Returns <i>area</i>, <i>border_length</i> and "
            "<i>snap_distance</i>.</p>" +

@@ -9,6 +9,7 @@
 
 #include "support/lists.h"
 #include "tasks/curve_sources.h"
+#include "tasks/curves.h"
 #include "tasks/path_through.h"
 #include "tasks/surface_lines.h"
 
@@ -85,13 +86,13 @@ bool curve_is_selected(const FilterCall& call) {
   return static_cast<int>(call.parameters.getMeshId("curve_layer")) == static_cast<int>(call.layer.id());
 }
 
-namespace {
-
 std::vector<std::array<Index, 2>> selected_curve(const FilterCall& call, const LayerSurface& layer,
                                                  const Mesh& mesh) {
   return selected_edges(call, layer, mesh,
                         "choose a layer with lines as " + named(call, "curve_layer") + ".");
 }
+
+namespace {
 
 std::string of_curve_layer(const FilterCall& call) {
   return curve_is_selected(call) ? ""
@@ -116,11 +117,82 @@ QString help_on_curve() {
          "is an error unless that is 0.</p>";
 }
 
-CurveSources points_along_curve(const FilterCall& call, LayerSurface& layer, double spacing) {
-  if (!curve_is_selected(call)) return sources_of_layer(call, layer, "curve_layer", spacing, false);
-  const auto mesh = layer.mesh();
-  const auto edges = edges_of_curve(*mesh, selected_curve(call, layer, *mesh));
-  return {sources_along_edges(*mesh, edges, spacing), {}, 0.0};
+namespace {
+
+/// The lines of another layer, on the surface.
+struct LayerLines {
+  std::vector<std::array<Index, 2>> edges;  ///< between vertices of the layer
+  std::map<Index, SurfacePoint> points;     ///< by vertex of the layer
+  double snap_distance = 0.0;
+};
+
+/// \throw InvalidInput if they have no length.
+LayerLines lines_of_layer(const FilterCall& call, LayerSurface& layer, const MeshModel& other) {
+  const std::vector<Point> positions = scene_positions(other);
+  PointSnapper snapper(call, layer);
+  LayerLines lines;
+  // Ends of edges at one place are one point: a closed path ends at a vertex of its own.
+  std::map<Point, Index> point_at;
+  for (const auto& edge : other.cm.edge) {
+    if (edge.IsD()) continue;
+    std::array<Index, 2> ends{};
+    for (int i = 0; i < 2; ++i) {
+      const auto number = static_cast<Index>(edge.cV(i) - other.cm.vert.data());
+      const Point& at = positions[number];
+      const SurfacePoint point = snapper.snap_vertex(at, static_cast<std::size_t>(number), "curve_layer");
+      ends[i] = point_at.emplace(at, number).first->second;
+      lines.points.emplace(ends[i], point);
+    }
+    if (ends[0] != ends[1]) lines.edges.push_back(ends);
+  }
+  if (lines.edges.empty()) {
+    throw InvalidInput("The lines" + of_curve_layer(call) + " have no length. Choose a layer with a curve.");
+  }
+  lines.snap_distance = snapper.farthest();
+  return lines;
+}
+
+}  // namespace
+
+CurveLegs legs_of_curve(const FilterCall& call, LayerSurface& layer) {
+  const MeshModel& other = other_layer(call, "curve_layer", "lines of the curve");
+  CurveLegs legs;
+  if (other.cm.en == 0) {
+    const TaskPoints curve = snapped_layer(call, layer, "curve_layer", "lines");
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+      if (i + 1 == curve.size() && i > 0) break;  // a single point is a leg of its own
+      const std::size_t next = std::min(i + 1, curve.size() - 1);
+      legs.from.push_back(curve.points[i]);
+      legs.to.push_back(curve.points[next]);
+      legs.numbers.push_back({curve.numbers[i], curve.numbers[next]});
+    }
+    legs.snap_distance = curve.snap_distance;
+    return legs;
+  }
+  const LayerLines lines = lines_of_layer(call, layer, other);
+  for (const auto& [a, b] : lines.edges) {
+    legs.from.push_back(lines.points.at(a));
+    legs.to.push_back(lines.points.at(b));
+  }
+  legs.numbers = lines.edges;
+  legs.snap_distance = lines.snap_distance;
+  return legs;
+}
+
+std::vector<SurfacePoint> points_along(Surface& surface, const CurveLegs& legs, double spacing,
+                                       const TaskOptions& options) {
+  const Mesh& mesh = *surface.mesh();
+  Answered answered;
+  const auto paths =
+      surface.paths({legs.from, legs.to}, options.by, {.exact = true}, answered, options.progress);
+  std::vector<SurfacePoint> points;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const auto& [a, b] = legs.numbers[i];
+    if (paths[i].path.points.empty()) refuse_leg(mesh, a, legs.from[i], b, legs.to[i]);
+    const auto steps = steps_along(mesh, paths[i].path.points, spacing);
+    points.insert(points.end(), steps.begin(), steps.end());
+  }
+  return points;
 }
 
 std::vector<TaskPoints> curves_in_order(const FilterCall& call, LayerSurface& layer) {
@@ -136,41 +208,20 @@ std::vector<TaskPoints> curves_in_order(const FilterCall& call, LayerSurface& la
     return curves;
   }
   const MeshModel& other = other_layer(call, "curve_layer", "lines of the curve");
-  const CMeshO& lines = other.cm;
-  if (lines.en == 0) return {snapped_layer(call, layer, "curve_layer", "lines")};
-  const std::vector<Point> positions = scene_positions(other);
+  if (other.cm.en == 0) return {snapped_layer(call, layer, "curve_layer", "lines")};
+  const LayerLines lines = lines_of_layer(call, layer, other);
   const std::string of_layer = of_curve_layer(call);
-  PointSnapper snapper(call, layer);
-  // Ends of edges at one place are one point: a closed path ends at a vertex of its own.
-  std::map<Point, Index> point_at;
-  std::map<Index, SurfacePoint> snapped;
-  std::vector<std::array<Index, 2>> edges;
-  for (const auto& edge : lines.edge) {
-    if (edge.IsD()) continue;
-    std::array<Index, 2> ends{};
-    for (int i = 0; i < 2; ++i) {
-      const auto number = static_cast<Index>(edge.cV(i) - lines.vert.data());
-      const Point& at = positions[number];
-      const SurfacePoint point = snapper.snap_vertex(at, static_cast<std::size_t>(number), "curve_layer");
-      ends[i] = point_at.emplace(at, number).first->second;
-      snapped.emplace(ends[i], point);
-    }
-    if (ends[0] != ends[1]) edges.push_back(ends);
-  }
-  if (edges.empty()) {
-    throw InvalidInput("The lines" + of_layer + " have no length. Choose a layer with a curve.");
-  }
   const auto name = [&](Index v) { return "vertex " + std::to_string(v) + of_layer; };
-  for (const auto& line : lines_in_order(edges, name)) {
+  for (const auto& line : lines_in_order(lines.edges, name)) {
     TaskPoints& curve = curves.emplace_back();
     std::vector<SurfacePoint> points;
     for (const Index number : line) {
-      points.push_back(snapped.at(number));
+      points.push_back(lines.points.at(number));
       curve.numbers.push_back(number);
     }
     curve.points = points;
     curve.what = "points" + of_layer;
-    curve.snap_distance = snapper.farthest();
+    curve.snap_distance = lines.snap_distance;
   }
   return curves;
 }

@@ -42,9 +42,24 @@ bool curve_is_selected(const FilterCall& call);
 /// Explains them, for the help.
 QString help_on_curve();
 
-/// Points at most `spacing` apart along the curve that these parameters give, which may be in several parts.
-/// \throw InvalidInput as selected_edges and sources_of_layer.
-CurveSources points_along_curve(const FilterCall& call, LayerSurface& layer, double spacing);
+/// The lines of curve_layer, which is not the current one, as the ends of their legs. They may branch and be
+/// in several parts. Of a layer without lines, its vertices in their order.
+struct CurveLegs {
+  std::vector<SurfacePoint> from, to;
+  std::vector<std::array<Index, 2>> numbers;  ///< of the ends in their layer
+  double snap_distance = 0.0;                 ///< the farthest move
+};
+/// \throw InvalidInput as other_layer and PointSnapper, and for lines without length.
+CurveLegs legs_of_curve(const FilterCall& call, LayerSurface& layer);
+/// Points at most `spacing` apart along the shortest paths that join the ends of the legs. \throw
+/// InvalidInput for a leg without a path (names its ends).
+std::vector<SurfacePoint> points_along(Surface& surface, const CurveLegs& legs, double spacing,
+                                       const TaskOptions& options);
+
+/// The edges of the surface that are selected, where curve_layer is the current one. \throw InvalidInput if
+/// none is.
+std::vector<std::array<Index, 2>> selected_curve(const FilterCall& call, const LayerSurface& layer,
+                                                 const Mesh& mesh);
 
 /// The points of each curve in order: of an open one from end to end, of a closed one from one point round to
 /// it, of a layer without edges in the order of its vertices. \throw InvalidInput also for one that branches.

@@ -285,6 +285,23 @@ def test_area_of_a_band_round_a_line(ms, exact):
     assert found["snap_distance"] == pytest.approx(0.2)
 
 
+@pytest.mark.parametrize("edges", [None, [[0, 1], [1, 2]], [[2, 1], [0, 1]]])
+def test_a_band_follows_the_shortest_paths_between_far_points(edges):
+    """Over the ridge of a roof, which is laid out flat: a straight band, though the line in space runs below."""
+    vertices, faces = grid(20, 15, 0.2)
+    vertices[:, 2] = -np.abs(vertices[:, 0] - 2)
+    ms = mesh_set(vertices, faces)
+    slope, width = np.sqrt(2), 0.3
+    line = np.array([[1.0, 0.8, -1.0], [3.0, 1.6, -1.0], [3.4, 1.76, -1.4]])  # laid out on one straight line
+    lines = {} if edges is None else {"edge_matrix": np.array(edges)}
+    ms.add_mesh(pymeshlab.Mesh(vertex_matrix=line, **lines), set_as_current=False)
+    found = ms.apply_filter(BAND, curve_layer=1, width=length(width), spacing=length(0.01), exact=True)
+    along = np.hypot(2.4 * slope, 0.96)
+    assert found["area"] == pytest.approx(2 * width * along + np.pi * width**2, rel=1e-3)
+    assert found["border_length"] == pytest.approx(2 * along + 2 * np.pi * width, rel=3e-3)
+    assert found["snap_distance"] == pytest.approx(0, abs=1e-6)
+
+
 def test_area_of_a_band_round_selected_edges():
     """The ridge of a roof: a strip on either side, as long as the ridge."""
     vertices, faces = grid(20, 15, 0.2)
