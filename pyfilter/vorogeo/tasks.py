@@ -38,8 +38,8 @@ Sources: TypeAlias = Source | Sequence[Source]
 
 #: Beyond it, a distance from the surface may be more than a float can hold.
 _GREATEST_COORDINATE = 1e307
-#: Along a path around which an area lies.
-_MOST_POINTS = 10**6
+#: Along a path around which an area lies: with more, the faces beside it take minutes.
+_MOST_POINTS = 10**5
 #: By the numbers that the core has for them.
 METHODS = ("automatic", "index", "exact", "quick")
 _ENTRIES = ("automatic", "pairs", "fields")
@@ -230,10 +230,14 @@ class Tasks:
             return along_edges
         if not len(line.points):
             raise InvalidInput(f"{name}: is a path without points, as none joins its ends; give another.")
-        apart = max(spacing, line.length / _MOST_POINTS) if spacing > 0 else 0.0
+        if spacing > 0 and line.length > spacing * _MOST_POINTS:
+            raise InvalidInput(
+                f"{name}: is a path of length {line.length:g}, too long for points {spacing:g} apart, which the width "
+                "asks for; give a greater width, or fewer points along it (points_along)."
+            )
         along: Rows
         (along,) = self._ask(
-            self._shared.core.steps_along, self._rows(name, line.surface_points), apart, method="exact"
+            self._shared.core.steps_along, self._rows(name, line.surface_points), spacing, method="exact"
         )
         return along
 

@@ -124,6 +124,8 @@ def test_a_path_is_a_source_like_a_curve(random: np.random.Generator) -> None:
     )
     with pytest.raises(vorogeo.InvalidInput, match=r"sources\[1\]: is a path without points"):
         surface.band([3, none], width)
+    with pytest.raises(vorogeo.InvalidInput, match=r"sources\[0\]: is a path of length .*, too long for points"):
+        surface.disk_area(path, 1e-5 * length)
 
 
 @pytest.mark.parametrize("by", ["exact", "by index, exact", "index", "automatic"])
