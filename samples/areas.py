@@ -3,6 +3,7 @@
 Usage: python samples/areas.py [MESH]      (needs samples/setup.sh once)
 """
 
+import sys
 from pathlib import Path
 
 import mesh_input
@@ -14,13 +15,18 @@ mesh_set = mesh_input.load_from_command_line()
 mesh = mesh_set.current_mesh()
 vertices, faces = mesh.vertex_matrix(), mesh.face_matrix()
 surface = vorogeo.Surface(vertices, faces)
+end = int(surface.extent().ends[0])  # of the component with the most vertices: all points are to lie on it
+surface = vorogeo.Surface(vertices, faces, mask=np.isfinite(surface.distance_field(end)))
 
 # Five landmarks around a point of the surface, at a fifth of its width in space.
 size = np.ptp(vertices, axis=0).max()
 middle = surface.snap(vertices.mean(axis=0) + np.array([0, 0, size])).positions(vertices, faces)[0]
 turn = 2 * np.pi * np.arange(5) / 5
 landmarks = surface.snap(middle + 0.2 * size * np.column_stack([np.cos(turn), np.sin(turn), np.zeros(5)]))
-polygon = surface.polygon(landmarks)
+try:
+    polygon = surface.polygon(landmarks)
+except vorogeo.InvalidInput as error:
+    sys.exit(f"No polygon in the middle of this mesh: {error}")
 print(f"polygon: area {polygon.area:.4g}, perimeter {polygon.perimeter:.4g}, {len(polygon.vertices)} vertices inside")
 print(f"angles in degrees: {np.degrees(polygon.angles).round(1)}; Gauss-Bonnet leaves {polygon.gauss_bonnet:.1g}")
 

@@ -21,6 +21,8 @@ mesh_set = mesh_input.load_from_command_line()
 mesh = mesh_set.current_mesh()
 vertices, faces = mesh.vertex_matrix(), mesh.face_matrix()
 surface = vorogeo.Surface(vertices, faces)
+end = int(surface.extent().ends[0])  # of the component with the most vertices, on which all is measured
+surface = vorogeo.Surface(vertices, faces, mask=np.isfinite(surface.distance_field(end)))
 out = Path(__file__).parent / "out"
 out.mkdir(exist_ok=True)
 
