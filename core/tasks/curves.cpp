@@ -9,6 +9,7 @@
 
 #include "exact/straightest.h"
 #include "exact/surface_path.h"
+#include "tasks/curve_sources.h"
 #include "tasks/directions.h"
 #include "tasks/path_through.h"
 
