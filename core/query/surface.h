@@ -34,7 +34,7 @@ struct Answered {
   /// Of the distances of a field, relative, in the mean: 0 but for rounding where nothing jumps; NaN if it is
   /// not by the method exact.
   double expected_error = std::numeric_limits<double>::quiet_NaN();
-  /// Of a field, and of directions: vertices or targets to which no path leads, near or far.
+  /// Of a field, and of directions: vertices, targets or pairs to which no path leads, near or far.
   Index unreached = 0;
 };
 

@@ -78,6 +78,7 @@ Ridge cut_locus(Surface& surface, const PointList& sources, double min_angle, do
   const Ridge found =
       surface.lend([&](Query& query) { return query.ridge(from, max_distance, options.progress); });
   report_exact(options, watch);
+  if (options.answered != nullptr) options.answered->unreached = count_unreached(mesh, from, {});
   return with_angle(found, min_angle);
 }
 

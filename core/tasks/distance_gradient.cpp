@@ -49,6 +49,7 @@ DistanceGradient distance_gradient(Surface& surface, const PointPairs& pairs, co
   for (const ExactPath& one : surface.paths(pairs, options.by, {.exact = true}, answered, options.progress)) {
     const auto pair = static_cast<Index>(found.distance.size());
     found.distance.push_back(one.path.length);
+    if (one.path.length == unreachable) ++answered.unreached;
     for (const auto& [vertex, gradient] : gradient_along(mesh, one.path.points)) {
       found.pair.push_back(pair);
       found.vertex.push_back(vertex);

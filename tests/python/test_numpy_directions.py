@@ -398,6 +398,77 @@ def test_the_cut_locus_of_a_tube_is_the_line_opposite():
         surface.cut_locus([])
 
 
+def apart():
+    """Two sheets of so many vertices, behind them a vertex without faces and the corners of a face without area."""
+    vertices, faces = plane_grid(9, 7, 1.6, 1.2)
+    count = len(vertices)
+    beside = vertices + np.array([9, 0, 0])
+    vertices = np.vstack([vertices, beside, [[5, 5, 0], [0, 7, 0], [1, 7, 0], [2, 7, 0]]])
+    last = len(vertices) - 1
+    return vertices, np.vstack([faces, faces + count, [[last - 2, last - 1, last]]]), count
+
+
+def test_what_no_path_reaches_is_counted():
+    vertices, faces, count = apart()
+    surface = vorogeo.Surface(vertices, faces)
+    elsewhere = [count, 2 * count, 2 * count + 1]
+    vector, distance = surface.log_map(3, targets=elsewhere, return_distance=True)
+    assert np.isnan(vector).all()
+    assert np.isinf(distance).all()
+    assert surface.last.unreached == 3
+    surface.cut_locus([3, 9])
+    assert surface.last.unreached == len(vertices) - count
+    assert np.isinf(surface.distance_gradient([3, 3], [count, 9]).distances).tolist() == [True, False]
+    assert surface.last.unreached == 1
+
+
+@pytest.mark.parametrize(
+    ("where", "message"),
+    [
+        ("alone", r"vertex \d+: no face has it"),
+        ("corner", r"vertex \d+: the angles of its faces sum to 0"),
+        ("face", r"face \d+: it has no area"),
+    ],
+)
+def test_places_without_directions_are_named(where, message):
+    vertices, faces, count = apart()
+    face = vorogeo.SurfacePoints([len(faces) - 1], [[0.3, 0.3, 0.4]])
+    where = {"alone": 2 * count, "corner": 2 * count + 1, "face": face}[where]
+    surface = vorogeo.Surface(vertices, faces)
+    for ask in (
+        lambda: surface.log_map(where),
+        lambda: surface.exp_map(where, [1, 0]),
+        lambda: surface.exp_map(where, [0, 0]),
+        lambda: surface.tangent_frames(where),
+        lambda: surface.transport_from(where, [1, 0]),
+        lambda: surface.frechet_mean(where),
+        lambda: surface.texture_coordinates(where, radius=1),
+    ):
+        with pytest.raises(vorogeo.InvalidInput, match=message):
+            ask()
+    assert len(surface.cut_locus(where).edges) == 0
+    assert np.isnan(surface.gradient(where)[:count]).all()
+
+
+@pytest.mark.parametrize("height", [1e3, 1e6, 1e9, 1e12, 1e15])
+def test_directions_at_needles(height):
+    """A tip whose angles sum to next to nothing is reached by lines; where they sum to rounding, it has no frame."""
+    angle = np.arange(12) * np.pi / 6
+    vertices = np.vstack([[0, 0, height], np.column_stack([np.cos(angle), np.sin(angle), 0 * angle])])
+    surface = vorogeo.Surface(vertices, [[0, 1 + i, 1 + (i + 1) % 12] for i in range(12)])
+    up = surface.log_map(1, targets=[0])
+    np.testing.assert_allclose(np.hypot(*up[0]), np.hypot(1, height), rtol=1e-12)
+    np.testing.assert_allclose(surface.exp_map(1, up).positions(vertices, surface.faces), vertices[:1], rtol=1e-9)
+    if height < 1e12:
+        down = surface.log_map(0)[1:]
+        np.testing.assert_allclose(np.hypot(*down.T), np.hypot(1, height), rtol=1e-12)
+        turned = np.sort(np.arctan2(down[:, 1], down[:, 0]))
+        np.testing.assert_allclose(np.diff(turned), np.pi / 6, rtol=1e-6)
+    else:
+        with pytest.raises(vorogeo.InvalidInput, match="the angles of its faces sum to 0"):
+            surface.log_map(0)
+
+
 def test_texture_coordinates_of_a_plane_are_the_picture_itself():
     vertices, faces = plane_grid(9, 7, 1.6, 1.2)
     surface = vorogeo.Surface(vertices, faces)
