@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _arguments as check
 from .errors import FileError, InvalidInput
@@ -19,6 +20,10 @@ from .mesh_objects import of_meshio
 from .results import MeshArrays
 
 _FREESURFER = (".white", ".pial", ".inflated", ".sphere", ".orig", ".smoothwm", ".midthickness", ".reg")
+
+
+# Of what meshio reads into one array, the names in PLY files.
+_COLUMNS = {"obj:vn": ("nx", "ny", "nz"), "obj:vt": ("s", "t")}
 
 
 def read_mesh(file: str | os.PathLike[str]) -> MeshArrays:
@@ -100,6 +105,37 @@ def _read_with_meshio(path: str) -> tuple[Any, Any]:
     with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
         mesh = meshio.read(path)
     return of_meshio(mesh)
+
+
+def read_vertex_values(file: str | os.PathLike[str]) -> dict[str, NDArray[Any]]:
+    """What a file has for each vertex beside its place: colours, normals, texture coordinates and other numbers.
+
+    Parameters
+    ----------
+    file : str or path
+        One that `read_mesh` has read.
+
+    Returns
+    -------
+    dict of str to (n,) array
+        By their names in PLY files. Empty if the file has none, or if meshio cannot read it or is not installed.
+    """
+    try:
+        import meshio
+
+        with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+            mesh = meshio.read(file)
+    except (Exception, SystemExit):  # meshio ends the process for a file that it does not understand
+        return {}
+    found: dict[str, NDArray[Any]] = {}
+    for name, values in mesh.point_data.items():
+        columns = _COLUMNS.get(name, (name,))
+        table = np.reshape(values, (len(mesh.points), -1))
+        if table.dtype == np.int8:  # what meshio makes of "uchar", so of colours
+            table = table.view(np.uint8)
+        if table.shape[1] == len(columns) and table.dtype.kind in "iuf":
+            found |= dict(zip(columns, table.T, strict=True))
+    return found
 
 
 def _has_second_line(path: str) -> bool:

@@ -309,6 +309,30 @@ def test_cuts_go_to_files(mesh, capsys):
     assert np.linalg.norm(read_cut("disk.ply")[0], axis=1).max() == pytest.approx(0.3)
 
 
+def test_cuts_keep_what_vertices_have(mesh):
+    rows = np.zeros(len(VERTICES), [*((axis, "<f8") for axis in "xyz"), ("nz", "<f4"), ("red", "u1"), ("s", "<f8")])
+    for k, axis in enumerate("xyz"):
+        rows[axis] = VERTICES[:, k]
+    rows["nz"], rows["s"] = 1, 3 * VERTICES[:, 0] - VERTICES[:, 1]
+    rows["red"] = np.rint(200 * VERTICES[:, 0])
+    cells = np.zeros(len(FACES), [("size", "u1"), ("ids", "<i4", 3)])
+    cells["size"], cells["ids"] = 3, FACES
+    kinds = ("double", "double", "double", "float", "uchar", "double")
+    names = [f"property {kind} {name}" for kind, name in zip(kinds, rows.dtype.names, strict=True)]
+    head = ["ply", "format binary_little_endian 1.0", f"element vertex {len(rows)}", *names]
+    head += [f"element face {len(cells)}", "property list uchar int vertex_indices", "end_header\n"]
+    Path("rich.ply").write_bytes("\n".join(head).encode() + rows.tobytes() + cells.tobytes())
+    for part in ([], ["--region", "1"]):
+        line = ["--points", "0.55,0,0", "0.55,1,0", "--out", "cut.ply", "--quiet"]
+        assert main(["cut", "rich.ply", *line, *part]) == 0
+        head, _, body = Path("cut.ply").read_bytes().partition(b"end_header\n")
+        assert [line.encode() in head for line in names] == [True] * len(names)
+        found = np.frombuffer(body, rows.dtype, int(re.search(rb"vertex (\d+)", head)[1]))
+        np.testing.assert_allclose(found["s"], 3 * found["x"] - found["y"], atol=1e-12)
+        np.testing.assert_allclose(found["red"], 200 * found["x"], atol=1.01)
+        assert (found["nz"] == 1).all()
+
+
 def test_loops_and_girths_of_a_tube(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     vertices, faces = prism(12, 9, 4.0)

@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 
 from ..errors import InvalidInput
 from ..mesh_check import check_mesh
+from ..mesh_files import read_vertex_values
+from ..points import SurfacePoints
 from ..results import GeodesicPath
 from .comparison import compare
 from .job import Command, MeshTask, surface_area
@@ -268,11 +270,14 @@ def cut(task: MeshTask) -> Result:
         raise InvalidInput("--points: is missing; name points to cut along the path through them, or give --levels.")
     count = int(found.region.max(initial=-1)) + 1
     vertices, faces, region = found.vertices, found.faces, found.region
+    given = read_vertex_values(task.job.mesh) if format_of(task.target) == ".ply" else {}
+    values = _carried_over(given, found.points, task.faces)
     chosen = task.options.get("region")
     if chosen is not None:
         if chosen >= count:
             raise InvalidInput(f"--region {chosen}: is not there; the cut has regions 0 to {count - 1}.")
-        vertices, faces, _ = found.part(chosen)
+        vertices, faces, kept = found.part(chosen)
+        values = {name: value[kept] for name, value in values.items()}
         region = region[region == chosen]
     areas = [surface_area(found.vertices, found.faces[found.region == k]) for k in range(count)]
     arrays: dict[str, NDArray[Any]] = {
@@ -287,7 +292,25 @@ def cut(task: MeshTask) -> Result:
         arrays = {name: arrays[name] for name in ("region", "vertices", "faces")}
     text = f"{count} regions, areas {' '.join(f'{one:.6g}' for one in areas)}"
     shown = arrays["vertices"], faces
-    return Result("region", arrays, shown, per_face="region", text=text, summary={"area": areas})
+    summary = {"area": areas}
+    return Result("region", arrays, shown, per_face="region", vertex_values=values, text=text, summary=summary)
+
+
+def _carried_over(
+    values: dict[str, NDArray[Any]], points: SurfacePoints, faces: NDArray[Any]
+) -> dict[str, NDArray[Any]]:
+    """Values of vertices, then those at new points between them, in the types that they had; normals have length 1."""
+    if not values:
+        return {}
+    table = np.column_stack(list(values.values())).astype(float)
+    found = dict(zip(values, np.vstack([table, points.positions(table, faces)]).T, strict=True))
+    normal = [found[name] for name in ("nx", "ny", "nz") if name in found]
+    if len(normal) == 3:
+        length = np.linalg.norm(normal, axis=0)
+        for one in normal:
+            np.divide(one, length, out=one, where=length > 0)
+    whole = {name for name, value in values.items() if value.dtype.kind in "iu"}
+    return {name: (np.rint(one) if name in whole else one).astype(values[name].dtype) for name, one in found.items()}
 
 
 def index(task: MeshTask) -> Result:

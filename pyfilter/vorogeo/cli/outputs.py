@@ -26,6 +26,7 @@ class Result:
     mesh: tuple[NDArray[Any], NDArray[Any]]  # vertices, as in the file, and faces
     per_vertex: str = ""  # the one with a value for each vertex, for meshes with quality and GIFTI; empty: none
     per_face: str = ""  # the one with a value for each face, for meshes with quality of faces; empty: none
+    vertex_values: dict[str, NDArray[Any]] = field(default_factory=dict)  # what else a PLY has for each vertex
     lines: tuple[NDArray[Any], NDArray[Any]] | None = None  # points and edges to write as PLY instead of the mesh
     sparse: Any = None  # a scipy.sparse matrix instead of arrays
     text: str = ""  # what to tell the user
@@ -125,21 +126,34 @@ def _csv(result: Result, part: Path) -> None:
             out.write(",".join(map(repr, row)) + "\n")
 
 
+_PLY_TYPES = {
+    "i1": "char",
+    "u1": "uchar",
+    "i2": "short",
+    "u2": "ushort",
+    "i4": "int",
+    "u4": "uint",
+    "f4": "float",
+    "f8": "double",
+}
+
+
 def _ply(result: Result, part: Path) -> None:
     points, cells = result.lines if result.lines is not None else result.mesh
     quality = result.arrays[result.per_vertex] if result.per_vertex and result.lines is None else None
     of_faces = result.arrays[result.per_face] if result.per_face else None
     if quality is None and of_faces is None and result.lines is None:
         raise InvalidInput("This result has no value for each vertex, so it is no PLY; choose .npy, .npz or .csv.")
-    vertex = np.zeros(
-        len(points), [(axis, "<f8") for axis in "xyz"] + ([] if quality is None else [("quality", "<f4")])
-    )
-    for k, axis in enumerate("xyz"):
-        vertex[axis] = points[:, k]
-    head = [f"element vertex {len(points)}", *(f"property double {axis}" for axis in "xyz")]
+    values = dict(zip("xyz", points.T.astype(float), strict=True)) | result.vertex_values
     if quality is not None:
-        vertex["quality"] = np.where(np.isfinite(quality), quality, -1)  # as the filters: -1 where no path leads
-        head.append("property float quality")
+        values["quality"] = np.where(np.isfinite(quality), quality, -1).astype(
+            "f4"
+        )  # as the filters: no path leads there
+    types = {name: value.dtype.str[1:] if value.dtype.str[1:] in _PLY_TYPES else "f8" for name, value in values.items()}
+    vertex = np.zeros(len(points), [(name, "<" + kind) for name, kind in types.items()])
+    for name, value in values.items():
+        vertex[name] = value
+    head = [f"element vertex {len(points)}", *(f"property {_PLY_TYPES[kind]} {name}" for name, kind in types.items())]
     if result.lines is None:
         rows = np.zeros(
             len(cells), [("size", "u1"), ("ids", "<i4", 3), *([] if of_faces is None else [("quality", "<f4")])]
