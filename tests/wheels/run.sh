@@ -4,7 +4,7 @@
 # Usage: tests/wheels/run.sh [--built]
 #   Builds the source archive and the wheels (pyfilter/build_wheels.sh; --built: takes those in build/wheels/dist), looks into
 #   them, and installs each wheel without and with PyMeshLab in a new environment, where the tests of the numpy part and of
-#   the filters run; the source archive is installed in a root with a compiler. Needs what samples/setup.sh --daily sets up,
+#   the filters run; the source archive is installed in a root with a compiler. Needs what samples/setup.sh --tests sets up,
 #   root's rights, and some 3 GB in build/roots. Logs: build/wheels/test-*.log.
 # Exit status 77 where no root can be made; the reason stands on the standard error.
 set -euo pipefail
