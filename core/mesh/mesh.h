@@ -73,8 +73,8 @@ struct Metric {
   Metric(SideLengths lengths, Index points = 0)  // NOLINT(google-explicit-constructor)
       : sides(std::move(lengths)), points_per_edge(points) {}
 
-  /// Of the faces as given; none: lengths in space. In a face that is split, the longest has the length of
-  /// the others together. Infinite in a face that no path may enter: it is left out.
+  /// Of the faces as given; none: lengths in space. In a face that is split, the longest is shortened to the
+  /// length of the others together. Infinite in a face that no path may enter: it is left out.
   SideLengths sides;
   /// Of the same sides, where the way back costs something else: from the next corner to the one after it, a
   /// step along the side costs its length and this, a step back its length less this. None: both ways cost
@@ -85,7 +85,7 @@ struct Metric {
   /// as half the least costs there and back together.
   Index points_per_edge = 0;
   FaceSplits splits;          ///< what to measure on instead of `sides`; empty if no face is split
-  Index split_faces = 0;      ///< with a side longer than the two others together, and split for that
+  Index split_faces = 0;      ///< that are measured in parts
   Index shortened_edges = 0;  ///< that were too long all the same, and have the length of two others
 };
 

@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <cstdint>
 #include <functional>
+#include <queue>
 #include <sstream>
 #include <string>
-#include <unordered_map>
 #include <utility>
 
 #include "mesh/gaps.h"
@@ -18,7 +19,7 @@
 
 namespace vorogeo {
 
-// ---- Faces with a side longer than the two others together: bisected at that side, or the side shortened
+// ---- Faces over which a metric varies: bisected; sides longer than the two others together: shortened
 
 namespace {
 
@@ -29,6 +30,9 @@ struct LengthsAlongLines {
   std::function<double(Index, Index)> length;
   /// Adds what the metric is in the middle of a line, interpolated.
   std::function<void(Index, Index)> add_value;
+  /// The square of how much the metric changes, relative to itself, over the length of the side between the
+  /// first two corners of a face: across the side, which bends shortest paths, and along it.
+  std::function<double(Index, Index, Index)> squared_change;
 
   void add_middle(Index a, Index b) {
     place.push_back(moved(place[a], 0.5, minus(place[b], place[a])));
@@ -45,10 +49,14 @@ struct LengthsAlongLines {
   }
 };
 
+int longest_of(const std::array<double, 3>& sides) {
+  return static_cast<int>(std::ranges::max_element(sides) - sides.begin());
+}
+
 /// Whether the longest side of a face is longer than the two others together by more than `slack`, a
 /// fraction.
 bool breaks_triangle(const std::array<double, 3>& sides, double slack) {
-  const auto k = static_cast<int>(std::ranges::max_element(sides) - sides.begin());
+  const int k = longest_of(sides);
   return sides[k] > (sides[(k + 1) % 3] + sides[(k + 2) % 3]) * (1.0 + slack);
 }
 
@@ -58,134 +66,177 @@ constexpr double triangle_rounding = 1e-14;
 /// Less is rounding, which is not split but shortened.
 constexpr double split_slack = 1e-9;
 
-/// Bisections of a face one after the other: beside an edge that is nearly for free, parts of all sizes would
-/// be too long on one side, 16 times as many faces with these.
-constexpr Index most_splits = 6;
+/// A face is split where the metric changes more over the length of its longest side, relative to itself.
+/// With a change d across it, the side is longer than a shortest path by d^2 / 24.
+constexpr double most_change = 0.1;
 
-struct Part {
-  std::array<Index, 3> corners;
-  Index given_face;
-  Index depth;  ///< bisections it took; no_index: it was split itself
-};
+/// Squares of changes far above this count alike: paths avoid what is so much dearer.
+constexpr double large_squared_change = 3.0;
 
+/// How much sooner faces are split that break the triangle inequality.
+constexpr double broken_weight = 30.0;
+
+/// No more faces than this many times those given; on small meshes, where time does not matter, than the
+/// second number.
+constexpr double most_growth = 2.5;
+constexpr double faces_of_small = 3000.0;
+
+/// Bisects faces in the middle of their longest side, those first that add most to errors.
 class Splitter {
  public:
-  Splitter(std::span<const std::array<Index, 3>> faces, LengthsAlongLines& lines) : lines_(lines) {
-    parts_.reserve(faces.size());
-    for (const std::size_t f : checked(faces.size())) {
-      const auto& v = faces[f];
-      parts_.push_back({v, static_cast<Index>(f), 0});
-      if (is_usable(v)) link(static_cast<Index>(f));
-    }
-  }
+  Splitter(std::span<const std::array<Index, 3>> faces, LengthsAlongLines& lines)
+      : given_(faces), lines_(lines) {}
 
-  /// Splits some faces, and then the parts of them and of their neighbours that need it.
-  void split_all(const std::vector<Index>& broken) {
-    const std::size_t given = parts_.size();
-    for (const Index f : broken) split(f);
-    for (std::size_t p = given; p < parts_.size(); ++p) {
+  FaceSplits split(const SideLengths& sides) {
+    for (const std::size_t f : checked(given_.size())) push(static_cast<Index>(f), 0, given_[f], sides[f]);
+    if (queue_.empty()) return {};
+    link_all();
+    const double most = std::max(most_growth * static_cast<double>(given_.size()), faces_of_small);
+    while (!queue_.empty() && static_cast<double>(parts_.size()) < most) {
       checkpoint();
-      split(static_cast<Index>(p));
+      const Candidate next = queue_.top();
+      queue_.pop();
+      if (parts_[next.part].bisections == next.bisections) bisect_at(next.part);
+    }
+    return in_order();
+  }
+
+ private:
+  struct Part {
+    std::array<Index, 3> corners;
+    Index given_face;
+    Index bisections;  ///< that it took to make it
+  };
+  struct Candidate {
+    double weight;
+    Index part;
+    Index bisections;  ///< fewer than those of the part: it was bisected since
+    friend auto operator<=>(const Candidate&, const Candidate&) = default;
+  };
+
+  /// Adds a part to the candidates, if the metric varies over it: by the share of its length by which paths
+  /// may err there, and its area, which tells how many of them cross it.
+  void push(Index part, Index bisections, const std::array<Index, 3>& corners,
+            const std::array<double, 3>& sides) {
+    if (!is_usable(corners)) return;
+    const int apex = longest_of(sides);
+    const auto [low, high] = std::minmax(corners[(apex + 1) % 3], corners[(apex + 2) % 3]);
+    const double area = area_of_wide(corners);
+    if (!(area > 0.0)) return;
+    const double squared = lines_.squared_change(low, high, corners[apex]);
+    const bool is_broken = breaks_triangle(sides, split_slack);
+    if (!is_broken && !(squared > most_change * most_change)) return;
+    const double share = squared / (squared + large_squared_change);
+    const double weight = (is_broken ? broken_weight : 1.0) * share * area;
+    if (weight > 0.0) queue_.push({weight, part, bisections});
+  }
+
+  /// Twice the area in space; 0 where there is no width.
+  double area_of_wide(const std::array<Index, 3>& v) const {
+    constexpr double least_square = 1e-12;  // of the sine; rounding of the difference is 1e-15
+    const Point u = minus(lines_.place[v[1]], lines_.place[v[0]]);
+    const Point w = minus(lines_.place[v[2]], lines_.place[v[0]]);
+    const double lengths = dot(u, u) * dot(w, w);
+    const double square = lengths - dot(u, w) * dot(u, w);
+    return square > least_square * lengths ? std::sqrt(square) : 0.0;
+  }
+
+  /// Makes each given face a part, and a ring of the sides of each edge.
+  void link_all() {
+    parts_.reserve(2 * given_.size());
+    for (const std::size_t f : checked(given_.size())) {
+      parts_.push_back({given_[f], static_cast<Index>(f), 0});
+    }
+    next_.resize(3 * parts_.size());
+    const std::vector<SideOfFace> sorted = sorted_sides(given_);
+    std::vector<Index> around;
+    for (auto begin = sorted.begin(), end = begin; begin != sorted.end(); begin = end) {
+      end = std::find_if(begin, sorted.end(), [&](const SideOfFace& s) { return s.ends != begin->ends; });
+      around.clear();
+      for (const SideOfFace& side : std::ranges::subrange(begin, end)) {
+        around.push_back(3 * side.face + side.corner);
+      }
+      link(around);
     }
   }
 
-  FaceSplits take() {
-    std::vector<Index> order;
-    for (std::size_t p = 0; p < parts_.size(); ++p) {
-      if (parts_[p].depth != no_index) order.push_back(static_cast<Index>(p));
+  void link(std::span<const Index> ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) next_[ring[i]] = ring[(i + 1) % ring.size()];
+  }
+
+  /// Splits the longest side of a part, and all parts at it.
+  void bisect_at(Index part) {
+    const auto& corners = parts_[part].corners;
+    const Index first = 3 * part + longest_of(lines_.sides_of(corners));
+    const Index a = corners[(first + 1) % 3];
+    const Index b = corners[(first + 2) % 3];
+    const auto [low, high] = std::minmax(a, b);
+    const auto middle = static_cast<Index>(lines_.place.size());
+    splits_.middle_of.push_back({low, high});
+    lines_.add_middle(low, high);
+    std::vector<Index> around;
+    Index side = first;
+    do around.push_back(side);
+    while ((side = next_[side]) != first);
+    std::vector<Index> at_low, at_high;
+    for (const Index each : around) {
+      const bool begins_low = parts_[each / 3].corners[(each + 1) % 3] == low;
+      const Index rest = bisect(each, middle);
+      at_low.push_back(begins_low ? each : rest);
+      at_high.push_back(begins_low ? rest : each);
     }
-    std::ranges::stable_sort(order, {}, [&](Index p) { return parts_[p].given_face; });
-    for (Index p : order) {
-      splits_.faces.push_back(parts_[p].corners);
-      splits_.given_face.push_back(parts_[p].given_face);
-      splits_.sides.push_back(lines_.sides_of(parts_[p].corners));
+    link(at_low);
+    link(at_high);
+    for (const auto* half : {&at_low, &at_high}) {
+      for (const Index each : *half) {
+        const Part& at = parts_[each / 3];
+        push(each / 3, at.bisections, at.corners, lines_.sides_of(at.corners));
+      }
+    }
+  }
+
+  /// Cuts a part from the middle of a side to its apex. It keeps the beginning of the side. \return the rest
+  /// of the side, in a new part.
+  Index bisect(Index side, Index middle) {
+    const Index part = side / 3;
+    const int apex = side % 3, begin = (apex + 1) % 3, end = (apex + 2) % 3;
+    const auto rest = static_cast<Index>(parts_.size());
+    ++parts_[part].bisections;
+    parts_.push_back(parts_[part]);
+    parts_[part].corners[end] = middle;
+    parts_[rest].corners[begin] = middle;
+    next_.resize(next_.size() + 3);
+    // The side from the end to the apex, opposite the beginning, is one of the rest from now on.
+    const Index before = 3 * part + begin, now = 3 * rest + begin;
+    Index previous = before;
+    while (next_[previous] != before) previous = next_[previous];
+    next_[previous] = now;
+    next_[now] = previous == before ? now : next_[before];
+    link(std::array{before, 3 * rest + end});
+    return 3 * rest + apex;
+  }
+
+  FaceSplits in_order() {
+    std::ranges::stable_sort(parts_, {}, &Part::given_face);
+    for (const Part& part : parts_) {
+      splits_.faces.push_back(part.corners);
+      splits_.given_face.push_back(part.given_face);
+      splits_.sides.push_back(lines_.sides_of(part.corners));
     }
     return std::move(splits_);
   }
 
- private:
-  /// Splits a part, if it needs that and can be split.
-  void split(Index part) {
-    const Part at = parts_[part];
-    if (at.depth == no_index || at.depth >= most_splits || !has_width(at.corners)) return;
-    const auto sides = lines_.sides_of(at.corners);
-    if (!breaks_triangle(sides, split_slack)) return;
-    const auto apex = static_cast<int>(std::ranges::max_element(sides) - sides.begin());
-    const Index a = at.corners[(apex + 1) % 3];
-    const Index b = at.corners[(apex + 2) % 3];
-    const auto middle = static_cast<Index>(lines_.place.size());
-    const auto [low, high] = std::minmax(a, b);
-    splits_.middle_of.push_back({low, high});
-    lines_.add_middle(low, high);
-    const std::vector<Index> around = faces_at_[key(a, b)];
-    for (Index each : around) bisect(each, low, high, middle);
-  }
-
-  static std::uint64_t key(Index a, Index b) {
-    const auto [low, high] = std::minmax(a, b);
-    return static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint64_t>(high);
-  }
-
-  bool has_width(const std::array<Index, 3>& v) const {
-    constexpr double least_square = 1e-12;  // of the sine; rounding of the difference is 1e-15
-    const Point u = minus(lines_.place[v[1]], lines_.place[v[0]]);
-    const Point w = minus(lines_.place[v[2]], lines_.place[v[0]]);
-    return dot(u, u) * dot(w, w) - dot(u, w) * dot(u, w) > least_square * dot(u, u) * dot(w, w);
-  }
-
-  void link(Index part) {
-    const auto& v = parts_[part].corners;
-    for (int i = 0; i < 3; ++i) faces_at_[key(v[i], v[(i + 1) % 3])].push_back(part);
-  }
-
-  void bisect(Index part, Index low, Index high, Index middle) {
-    const Part old = parts_[part];
-    for (int i = 0; i < 3; ++i) {
-      auto& there = faces_at_[key(old.corners[i], old.corners[(i + 1) % 3])];
-      std::erase(there, part);
-    }
-    parts_[part].depth = no_index;
-    for (Index end : {low, high}) {
-      Part half{old.corners, old.given_face, old.depth + 1};
-      *std::ranges::find(half.corners, end) = middle;
-      parts_.push_back(half);
-      link(static_cast<Index>(parts_.size()) - 1);
-    }
-  }
-
+  std::span<const std::array<Index, 3>> given_;
   LengthsAlongLines& lines_;
   std::vector<Part> parts_;
-  std::unordered_map<std::uint64_t, std::vector<Index>> faces_at_;
+  std::vector<Index> next_;  ///< by 3 * part + corner: the next side of the ring of the side opposite it
+  std::priority_queue<Candidate> queue_;
   FaceSplits splits_;
 };
-
-/// Splits each face that breaks the triangle inequality in the middle of its longest side, with the other
-/// faces at that side, and so on for their parts: the smaller the parts, the less the metric varies on them.
-/// Faces without width in space, and the last of many parts of a face, stay as they are. `split_faces`
-/// becomes the number of faces that break the inequality and are split. Complexity: linear in the faces, if
-/// few have to be split.
-FaceSplits split_faces_for(std::span<const std::array<Index, 3>> faces, const SideLengths& sides,
-                           LengthsAlongLines& lines, Index& split_faces) {
-  std::vector<Index> broken;
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    if (breaks_triangle(sides[f], split_slack)) broken.push_back(static_cast<Index>(f));
-  }
-  if (broken.empty()) return {};
-  Splitter splitter(faces, lines);
-  splitter.split_all(broken);
-  FaceSplits splits = splitter.take();
-  if (splits.empty()) return {};
-  // A face may have been split by its neighbour only.
-  for (const Index f : broken) split_faces += std::ranges::equal_range(splits.given_face, f).size() > 1;
-  return splits;
-}
 
 /// Shortens every side that is longer than the two others together to their sum, in all faces of its edge,
 /// until the triangle inequality holds everywhere. \return the number of edges concerned.
 Index repair_triangles(std::span<const std::array<Index, 3>> faces, SideLengths& sides) {
-  auto longest_of = [&](std::size_t f) {
-    return static_cast<int>(std::ranges::max_element(sides[f]) - sides[f].begin());
-  };
   auto is_broken = [&](std::size_t f) {
     return is_usable(faces[f]) && breaks_triangle(sides[f], triangle_rounding);
   };
@@ -202,7 +253,7 @@ Index repair_triangles(std::span<const std::array<Index, 3>> faces, SideLengths&
     const std::size_t f = open.back();
     open.pop_back();
     if (!is_broken(f)) continue;
-    const int k = longest_of(f);
+    const int k = longest_of(sides[f]);
     const double length = sides[f][(k + 1) % 3] + sides[f][(k + 2) % 3];
     const auto [a, b] = std::minmax(faces[f][(k + 1) % 3], faces[f][(k + 2) % 3]);
     const auto edge = std::ranges::equal_range(sorted, std::array<Index, 2>{a, b}, {}, &SideOfFace::ends);
@@ -283,7 +334,12 @@ Metric lengths_of_sides(std::span<const std::array<Index, 3>> faces, LengthsAlon
   for (const std::size_t f : checked(faces.size())) {
     if (is_usable(faces[f])) result.sides[f] = lines.sides_of(faces[f]);
   }
-  result.splits = split_faces_for(faces, result.sides, lines, result.split_faces);
+  result.splits = Splitter(faces, lines).split(result.sides);
+  for (std::size_t f = 0; f + 1 < result.splits.given_face.size(); ++f) {
+    const Index given = result.splits.given_face[f];
+    result.split_faces +=
+        given == result.splits.given_face[f + 1] && (f == 0 || given != result.splits.given_face[f - 1]);
+  }
   result.shortened_edges = repair_triangles(faces, result.sides);
   if (!result.splits.empty()) {
     result.shortened_edges = repair_triangles(result.splits.faces, result.splits.sides);
@@ -327,9 +383,18 @@ Metric lengths_by_cost(std::span<const Point> positions, std::span<const std::ar
     barred.push_back(f);
   }
   std::vector<double> there(cost.begin(), cost.end());
-  LengthsAlongLines lines{{positions.begin(), positions.end()}, {}, {}};
+  LengthsAlongLines lines{{positions.begin(), positions.end()}, {}, {}, {}};
   lines.length = [&](Index a, Index b) {
     return distance_between(lines.place[a], lines.place[b]) * (0.5 * there[a] + 0.5 * there[b]);
+  };
+  lines.squared_change = [&](Index a, Index b, Index apex) {
+    const Point u = minus(lines.place[b], lines.place[a]);
+    const Point w = minus(lines.place[apex], lines.place[a]);
+    const double uu = dot(u, u), uw = dot(u, w), ww = dot(w, w);
+    const double mean = (there[a] + there[b] + there[apex]) / 3.0;
+    const double along = (there[b] - there[a]) / mean;
+    const double to_apex = (there[apex] - there[a]) / mean - uw / uu * along;
+    return to_apex * to_apex * uu * uu / (uu * ww - uw * uw) + along * along;
   };
   lines.add_value = [&](Index a, Index b) { there.push_back(0.5 * there[a] + 0.5 * there[b]); };
   Metric metric = lengths_of_sides(passable, lines);
@@ -348,7 +413,7 @@ Metric lengths_by_tensor(std::span<const Point> positions, std::span<const std::
     }
   }
   std::vector<Tensor> there(tensors.begin(), tensors.end());
-  LengthsAlongLines lines{{positions.begin(), positions.end()}, {}, {}};
+  LengthsAlongLines lines{{positions.begin(), positions.end()}, {}, {}, {}};
   lines.length = [&](Index a, Index b) {
     const Step edge = edge_vector(lines.place, a, b);
     const long double first = std::max(0.0L, form(there[a], edge, edge));
@@ -359,6 +424,24 @@ Metric lengths_by_tensor(std::span<const Point> positions, std::span<const std::
     // The integral of the root of a linear function.
     return static_cast<double>(2.0L / 3.0L * (first + at_first * at_second + second) /
                                (at_first + at_second));
+  };
+  lines.squared_change = [&](Index a, Index b, Index apex) {
+    const Step u = edge_vector(lines.place, a, b);
+    const Step w = edge_vector(lines.place, a, apex);
+    const Tensor &at_a = there[a], &at_b = there[b], &at_apex = there[apex];
+    auto mean = [&](const Step& x, const Step& y) {
+      return (form(at_a, x, y) + form(at_b, x, y) + form(at_apex, x, y)) / 3.0L;
+    };
+    const long double uu = mean(u, u), uw = mean(u, w), ww = mean(w, w);
+    if (!(uu > 0.0L)) return 0.0;
+    // The line from a to b is as far from a geodesic as Christoffel's symbols say, of the metric that is
+    // linear over the face: of the first kind, along u and w.
+    const long double along = 0.5L * (form(at_b, u, u) - form(at_a, u, u));
+    const long double aside =
+        form(at_b, u, w) - form(at_a, u, w) - 0.5L * (form(at_apex, u, u) - form(at_a, u, u));
+    const long double across = aside - uw / uu * along;
+    const long double squared_area = std::max(uu * ww - uw * uw, 1e-30L * uu * ww);
+    return static_cast<double>(across * across / squared_area + along * along / (uu * uu));
   };
   lines.add_value = [&](Index a, Index b) {
     Tensor middle{};

@@ -18,17 +18,17 @@ using Tensor = std::array<double, 9>;
 /// A cost for each vertex, per unit of length, linear over each face: an edge is as long as the integral of
 /// the cost along it, which is its length times the mean cost of its ends.
 ///
-/// Where the cost varies strongly within a face, an edge may cost more than the other two sides together. The
-/// face is split then. Where it has no width, the edge gets the length of the two. An infinite cost makes the
-/// faces at its vertex impassable. \throw InvalidInput for a cost that is not above 0, but at vertices
-/// without faces, or another number of costs than vertices.
+/// Faces over which the cost varies are bisected, those first that add most to errors, up to a limit. Where
+/// an edge still costs more than the other two sides together, it gets the length of the two. An infinite
+/// cost makes the faces at its vertex impassable. \throw InvalidInput for a cost that is not above 0, but at
+/// vertices without faces, or another number of costs than vertices.
 Metric lengths_by_cost(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
                        std::span<const double> cost);
 
 /// A tensor G for each vertex, linear over each face: the squared length of a vector v is v' G v. The length
 /// of an edge is the integral along it, in closed form.
 ///
-/// Faces with a side longer than two others are split, as with costs. \throw InvalidInput for a tensor that
+/// Faces over which tensors vary are bisected, as with costs. \throw InvalidInput for a tensor that
 /// is not finite, not symmetric, or not positive on the plane of a face at its vertex (names the face and the
 /// squared lengths of its sides), or another number of tensors than vertices.
 Metric lengths_by_tensor(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,

@@ -161,8 +161,8 @@ std::vector<std::string> remarks_on(const Metric& metric) {
   std::vector<std::string> remarks;
   if (metric.split_faces > 0) {
     remarks.push_back("Metric: " + std::to_string(metric.split_faces) +
-                      " faces are measured in parts, as one side would cost more than the other two "
-                      "together; the mesh is coarse for this metric");
+                      " faces are measured in parts, as the metric varies over them; the mesh is coarse for "
+                      "this metric");
   }
   if (metric.shortened_edges > 0) {
     remarks.push_back(

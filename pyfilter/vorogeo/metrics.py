@@ -45,13 +45,13 @@ class MetricLengths(NamedTuple):
     ----------
     lengths : ndarray of float64, shape (m, 3)
         Of the side opposite each corner; 0 in a face that names a vertex twice, infinite in one that no path may enter.
-        In a face that is split, the longest side has the length of the other two together.
+        No side is longer than the other two together.
     shortened_edges : int
         Edges that would still be longer than the other two sides of a face together, after faces were split. No
         shortest path follows them, and they have the length of these two sides.
     split_faces : int
-        Faces with a side that would be longer than the other two together. They are split in the middle of it, with the
-        other face there, and so on for their parts.
+        Faces that are measured in parts, as the metric varies over them, or over a neighbour: bisected in the middle of
+        the longest side, with the other face there, and so on for their parts.
     splits : FaceSplits or None
         What is measured on where faces are split, by its own `lengths`: the `lengths` of whole faces do not count then.
         Results refer to the vertices and faces that were given.

@@ -228,7 +228,7 @@ class IndexStatistics:
         default=0,
     )
     split_faces: int = doc(
-        "With a metric, faces that are measured in parts, since a side would be longer than the other two; 0 without.",
+        "With a metric, faces that are measured in parts, since it varies over them; 0 without.",
         default=0,
     )
 

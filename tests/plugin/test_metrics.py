@@ -78,14 +78,18 @@ def test_an_index_belongs_to_its_metric(tmp_path, cost):
 def test_vertices_that_splits_add_are_points_in_faces():
     vertices, faces = np.array([[0, 0, 0], [2, 0, 0], [1, 0.5, 0], [1, -1, 0.0]]), np.array([[0, 1, 2], [1, 0, 3]])
     ms = mesh_set(vertices, faces)
-    ms.compute_scalar_by_function_per_vertex(q="vi == 2 ? 2 : 5")
+    ms.compute_scalar_by_function_per_vertex(q="vi == 2 ? 4 : 5")  # in the first face 5 - 2 y
     chosen = {"metric": "Vertex quality as cost"}
+    a = 2.5  # shortest paths are catenaries: 2.5 - y = a cosh((x - 0.5) / a)
+    for _ in range(50):
+        a = 2.5 / np.cosh(0.5 / a)
+    exact = a * a * (1 / a + np.sinh(1 / a))
     ends = {"source": -1, "source_point": [1, 0, 0], "target": 0}
-    assert ms.apply_filter(TWO_POINTS, **ends, **chosen)["distance"] == pytest.approx(5, rel=1e-6)
+    assert ms.apply_filter(TWO_POINTS, **ends, **chosen)["distance"] == pytest.approx(exact, rel=1e-3)
     start = ms.apply_filter(EXACT_FROM_POINT, start_point=[1, 0, 0], **chosen)
     assert start["start_vertex"] == -1
     assert start["start_face"] in (0, 1)
-    np.testing.assert_allclose(field(ms)[:3], [5, 5, 1.75], rtol=1e-6)  # the mean cost along each part
+    np.testing.assert_allclose(field(ms)[:3], [exact, exact, 2.25], rtol=1e-3)
 
 
 def test_slope_penalty_and_curvature():
