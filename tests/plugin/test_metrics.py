@@ -28,6 +28,7 @@ COST = "1 + 0.5 * x"
 def painted(cost=COST):
     """A grid whose quality is a cost."""
     vertices, faces = grid(16, 12)
+    vertices[:, 2] = len(cost)  # a MeshSet that still exists may have an index of the same mesh
     ms = mesh_set(vertices, faces)
     ms.compute_scalar_by_function_per_vertex(q=cost)
     return ms, vertices, faces, vorogeo.VertexCost(1 + 0.5 * vertices[:, 0])
