@@ -135,7 +135,8 @@ class ExactSolver {
   /// The angle, in the frame of a point, at which the shortest path from it to its nearest source begins; NaN
   /// at a source and where none can be reached. \throw std::logic_error after a run with distances_only.
   double last_leg(const TangentFrame& frame) const;
-  /// Where several shortest paths arrive. Complexity: O(windows) where few of them are on one face. \throw std::logic_error after a run with distances_only.
+  /// Where several shortest paths arrive. Complexity: O(windows) where few of them are on one face. \throw
+  /// std::logic_error after a run with distances_only.
   Ridge ridge() const;
   /// The shortest path from `target` back to its nearest source, target first. Empty if unreachable.
   /// `only_leg`: only as far as the first vertex that it passes. \throw std::logic_error after a run with
