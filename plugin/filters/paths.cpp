@@ -196,13 +196,11 @@ Results draw_tight_curve(FilterCall& call) {
 }
 
 RichParameterList loop_parameters(const MeshDocument& document) {
-  return list_of(
-      start_parameters(document, "What the loop goes through: the nearest point of the surface"),
-      RichMesh(
-          "curve_layer", static_cast<unsigned int>(document.mm()->id()), &document, "Curve layer",
-          "The layer with a curve, moved to the surface, that goes round what the loop shall go round. The "
-          "current layer: the shortest of all loops."),
-      max_snap_distance_parameter(document));
+  return list_of(start_parameters(document, "What the loop goes through: the nearest point of the surface"),
+                 curve_layer_parameters(
+                     document,
+                     "The layer with a curve, moved to the surface, that goes round what the loop shall go "
+                     "round. The current layer: the shortest of all loops."));
 }
 
 Results draw_shortest_loop(FilterCall& call) {

@@ -101,12 +101,16 @@ std::string of_curve_layer(const FilterCall& call) {
 
 }  // namespace
 
-RichParameterList curve_parameters(const MeshDocument& document) {
+RichParameterList curve_layer_parameters(const MeshDocument& document, const char* help) {
   return list_of(
-      RichMesh("curve_layer", static_cast<unsigned int>(document.mm()->id()), &document, "Curve layer",
-               "The layer with the lines of the curve, which are moved to the surface. The current "
-               "layer: its selected edges."),
+      RichMesh("curve_layer", static_cast<unsigned int>(document.mm()->id()), &document, "Curve layer", help),
       max_snap_distance_parameter(document));
+}
+
+RichParameterList curve_parameters(const MeshDocument& document) {
+  return curve_layer_parameters(document,
+                                "The layer with the lines of the curve, which are moved to the surface. The "
+                                "current layer: its selected edges.");
 }
 
 QString help_on_curve() {
@@ -244,11 +248,10 @@ std::vector<SurfacePoint> closed_line(Surface& surface, const TaskPoints& curve,
 // ---- Regions
 
 RichParameterList region_parameters(const MeshDocument& document) {
-  return list_of(
-      RichMesh("curve_layer", static_cast<unsigned int>(document.mm()->id()), &document, "Curve layer",
-               "The layer with what bounds the region: closed curves, which are moved to the surface. The "
-               "current layer: its selected faces are the region."),
-      max_snap_distance_parameter(document));
+  return curve_layer_parameters(
+      document,
+      "The layer with what bounds the region: closed curves, which are moved to the "
+      "surface. The current layer: its selected faces are the region.");
 }
 
 std::vector<std::uint8_t> selected_region(const FilterCall& call, const LayerSurface& layer) {

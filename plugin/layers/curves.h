@@ -35,6 +35,8 @@ struct CurveSources {
 CurveSources sources_of_layer(const FilterCall& call, LayerSurface& layer, const char* parameter,
                               double spacing, bool with_offsets);
 
+/// The parameters curve_layer, with this help, and max_snap_distance.
+RichParameterList curve_layer_parameters(const MeshDocument& document, const char* help);
 /// The parameters curve_layer and max_snap_distance.
 RichParameterList curve_parameters(const MeshDocument& document);
 /// Whether that layer is the current one.

@@ -98,13 +98,16 @@ def _read_freesurfer(path: str) -> tuple[Any, Any]:
 
 
 def _read_with_meshio(path: str) -> tuple[Any, Any]:
+    return of_meshio(_from_meshio(path))
+
+
+def _from_meshio(path: str) -> Any:
     import meshio
 
     if path.lower().endswith(".off") and not _has_second_line(path):  # meshio would wait for it forever
         raise ValueError("ends before the numbers of vertices and faces")
     with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
-        mesh = meshio.read(path)
-    return of_meshio(mesh)
+        return meshio.read(path)
 
 
 def read_vertex_values(file: str | os.PathLike[str]) -> dict[str, NDArray[Any]]:
@@ -121,10 +124,7 @@ def read_vertex_values(file: str | os.PathLike[str]) -> dict[str, NDArray[Any]]:
         By their names in PLY files. Empty if the file has none, or if meshio cannot read it or is not installed.
     """
     try:
-        import meshio
-
-        with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
-            mesh = meshio.read(file)
+        mesh = _from_meshio(os.fspath(file))
     except (Exception, SystemExit):  # meshio ends the process for a file that it does not understand
         return {}
     found: dict[str, NDArray[Any]] = {}

@@ -14,7 +14,7 @@ from itertools import pairwise
 from pathlib import Path
 
 from ruler import Place, RulerWindow
-from screen import Atspi, run, start_display
+from screen import run, start_display
 
 START: Place = (-0.12, 0.16)
 OVER: tuple[Place, ...] = ((0.0, 0.05), (0.14, -0.12), (0.02, -0.17), (-0.1, -0.1))
@@ -68,8 +68,8 @@ if __name__ == "__main__":
     start_display(folder)
     window = RulerWindow([mesh], folder / "picture.log")
     window.toggle()
-    dock = window.dock().get_extents(Atspi.CoordType.SCREEN)
-    title = (str(dock.x + 100), str(dock.y + 9))
+    left, top, *_ = window.box(window.dock())
+    title = (str(left + 100), str(top + 9))
     aside = (str(round(2 * window.middle[0]) + 120), title[1])
     run("xdotool", "mousemove", *title, "mousedown", "1", "mousemove", *aside, "sleep", "0.3", "mouseup", "1")
     film = Film(window, folder)

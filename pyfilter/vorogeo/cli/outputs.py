@@ -146,9 +146,8 @@ def _ply(result: Result, part: Path) -> None:
         raise InvalidInput("This result has no value for each vertex, so it is no PLY; choose .npy, .npz or .csv.")
     values = dict(zip("xyz", points.T.astype(float), strict=True)) | result.vertex_values
     if quality is not None:
-        values["quality"] = np.where(np.isfinite(quality), quality, -1).astype(
-            "f4"
-        )  # as the filters: no path leads there
+        # As the filters: -1 where no path leads.
+        values["quality"] = np.where(np.isfinite(quality), quality, -1).astype("f4")
     types = {name: value.dtype.str[1:] if value.dtype.str[1:] in _PLY_TYPES else "f8" for name, value in values.items()}
     vertex = np.zeros(len(points), [(name, "<" + kind) for name, kind in types.items()])
     for name, value in values.items():
