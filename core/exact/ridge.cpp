@@ -25,6 +25,8 @@ constexpr double same_direction = 1e-7;
 constexpr double equal_waves = 1e-10;
 /// Places this far off a line, relative to the greatest side of the face, are on it.
 constexpr double on_curve = 1e-7;
+/// Lines that meet this close to where one of them ends, relative to the same, meet there.
+constexpr double one_place = 1e-9;
 
 double angle_in_plane(const PlanePoint& a, const PlanePoint& b) {
   return std::atan2(std::abs(cross_in_plane(a, b)), dot_in_plane(a, b));
@@ -239,11 +241,17 @@ class LineGraph {
     for (Index e = 0; e < mesh_.edge_count(); ++e) {
       if (!mesh_.is_border_edge(e)) continue;
       for (Index p = tree_.first_part(e); p < tree_.first_part(e + 1); ++p) is_kept[p] = true;
+      // Where at its end another wave has the vertex, the line between them comes to the border there.
+      for (const Index sector : {2 * e, 2 * e + 1}) {
+        if (const auto run = node_of_run_.find(runs_.root(sector)); run != node_of_run_.end())
+          is_kept[run->second] = true;
+      }
     }
     for (const auto& [sector, node] : node_of_run_) {
       const bool begins = !has_leaf_[vertex(node)] && begins_line(vertex(node));
-      if (begins) has_leaf_[vertex(node)] = true;
-      if (begins || (degree[node] == 1 && mesh_.is_border(vertex(node)))) is_kept[node] = true;
+      if (!begins) continue;
+      has_leaf_[vertex(node)] = true;
+      is_kept[node] = true;
     }
     std::vector<Index> leaves;
     const auto look_at = [&](Index node) {
@@ -452,8 +460,15 @@ class RidgeMaker {
         for (int c = 0; c < 2; ++c) place[c] += end.place[c] / static_cast<double>(ends.size());
       }
     }
-    const Index junction = add_junction(meeting.face, plane, ends, place);
-    for (const End& end : ends) add_line(end.point, junction);
+    const auto at_end = std::ranges::find_if(ends, [&](const End& end) {
+      const PlanePoint off = minus_in_plane(end.place, place);
+      return std::hypot(off[0], off[1]) <= one_place * size;
+    });
+    const Index junction =
+        at_end == ends.end() ? add_junction(meeting.face, plane, ends, place) : at_end->point;
+    for (const End& end : ends) {
+      if (end.point != junction) add_line(end.point, junction);
+    }
   }
 
   /// Where lines of a face meet in one point.

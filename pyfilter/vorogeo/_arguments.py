@@ -252,6 +252,15 @@ def length(name: str, value: Any, otherwise: str = "") -> float:
     return number
 
 
+def angle(name: str, value: Any) -> float:
+    """An angle between two directions."""
+    wanted = "an angle from 0 to pi, in radians"
+    number = real(name, value, wanted)
+    if not 0 <= number <= math.pi:
+        raise InvalidInput(f"{name}: {number} is out of range; give {wanted}.")
+    return number
+
+
 def byte_limit(value: int | None) -> int:
     """A limit in bytes; 0 for None, which stands for the available memory."""
     return 0 if value is None else integer("max_bytes", value, 1, 2**63 - 1)

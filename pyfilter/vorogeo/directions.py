@@ -256,9 +256,8 @@ class Directions(Tasks):
         Without it, the surface can be laid out from the source: a closed one is one disk for each source. From several
         sources, also the borders of their Voronoi regions: the ridge of the field. Exact where it crosses edges; in a
         face straight, as it is unless a path has turned, and up to three lines and more that meet in one point. Lines
-        that end exactly at a vertex of a border, and those around a region within one face, may be missing. On a
-        polyhedron it has a line to each convex vertex, along which directions hardly differ where that stands for a
-        smooth surface: `min_angle` leaves these out.
+        around a region within one face may be missing. On a polyhedron it has a line to each convex vertex, along which
+        directions hardly differ where that stands for a smooth surface: `min_angle` leaves these out.
 
         Parameters
         ----------
@@ -270,7 +269,7 @@ class Directions(Tasks):
             Only what is within this distance; None for no limit.
         """
         rows, limit = self._rows("sources", sources, 1), check.max_distance(max_distance)
-        least = check.length("min_angle", min_angle)
+        least = check.angle("min_angle", min_angle)
         points, edges, distance, angle, on_faces = self._ask(
             self._shared.core.cut_locus, rows, least, limit, method="exact", progress=progress
         )

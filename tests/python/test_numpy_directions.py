@@ -392,8 +392,9 @@ def test_the_cut_locus_of_a_tube_is_the_line_opposite():
     np.testing.assert_allclose(locus.surface_points.positions(vertices, faces), locus.points, atol=1e-12)
     assert locus.angle.max() <= np.pi + 1e-12
     assert len(surface.cut_locus(point, min_angle=3.0).edges) < len(locus.edges)
-    with pytest.raises(vorogeo.InvalidInput, match="from 0 to pi"):
-        surface.cut_locus(point, min_angle=4)
+    for angle, problem in ((4, "4.0 is out of range"), (-1, "-1.0 is out of range"), (np.nan, "is NaN")):
+        with pytest.raises(vorogeo.InvalidInput, match=f"min_angle: {problem}; give an angle from 0 to pi, in radians"):
+            surface.cut_locus(point, min_angle=angle)
     with pytest.raises(vorogeo.InvalidInput, match="sources: is empty"):
         surface.cut_locus([])
 
