@@ -1,4 +1,4 @@
-"""What systems do in different ways: locks, replacing open files, names, large files, patterns that no shell expands.
+"""What systems do in different ways: locks, replacing open files, names, large files, patterns, interrupts.
 
 Runs on this system, and under wine on Windows, with nothing but numpy, meshio and pytest.
 """
@@ -206,6 +206,24 @@ def test_the_program_expands_patterns_and_writes_names_with_spaces_and_umlauts(f
     refused = program(folder, "info", "keine/*.off")
     assert (refused.returncode, refused.stdout) == (1, "")
     assert "keine/*.off: there is no mesh; give files, a folder, or a pattern in quotes." in refused.stderr
+
+
+def test_ctrl_c_stops_the_program_and_leaves_no_file(folder):
+    write_off(folder / "a.off", *plane(300, 250))
+    pressed = (
+        "import signal, sys, threading, vorogeo; from vorogeo.cli.main import main;"
+        "signal.signal(signal.SIGINT, signal.default_int_handler);"  # a shell may have it ignored
+        "build = vorogeo.GeodesicIndex.__init__;"
+        "press = threading.Timer(0.3, signal.raise_signal, [signal.SIGINT]);"
+        "vorogeo.GeodesicIndex.__init__ = lambda *mesh, **options: (press.start(), build(*mesh, **options))[1];"
+        "sys.exit(main(['index', 'a.off', '--out', 'a.vgi', '--quiet']))"
+    )
+    stopped = subprocess.run(
+        [sys.executable, "-c", pressed], cwd=folder, capture_output=True, encoding="utf-8", check=False
+    )
+    assert (stopped.returncode, stopped.stdout) == (130, ""), stopped.stderr
+    assert stopped.stderr == "vorogeo: interrupted\n"
+    assert names(folder) == ["a.off"]
 
 
 def test_the_program_prints_names_that_its_output_cannot_hold(folder):
