@@ -80,7 +80,7 @@ def set_matrix(ms: pymeshlab.MeshSet, layer: int, matrix: np.ndarray) -> None:
 
 def in_scene(ms: pymeshlab.MeshSet, layer: int | None = None) -> np.ndarray:
     mesh = ms.current_mesh() if layer is None else ms.mesh(layer)
-    return placed(mesh.transform_matrix(), mesh.vertex_matrix())
+    return mesh.transformed_vertex_matrix()
 
 
 # ---- Each filter on a layer with a matrix, and on the same layer with the matrix frozen

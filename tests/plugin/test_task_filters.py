@@ -482,10 +482,11 @@ def with_attributes(vertices, faces, quality):
         f_scalar_array=numbers,
         v_color_matrix=np.column_stack([(vertices[:, :2] + 1) / 5, np.full((len(vertices), 2), 0.63)]),
         f_color_matrix=np.tile([0.2, 0.4, 0.6, 1.0], (len(faces), 1)),
-        v_tex_coords_matrix=vertices[:, :2],
-        w_tex_coords_matrix=vertices[faces].reshape(-1, 3)[:, :2] + numbers.repeat(3)[:, None],
     )
     ms.add_mesh(mesh)
+    ms.compute_texcoord_by_function_per_vertex(u="x", v="y")
+    corners = {f"{to}{i}": f"{of}{i} + fi" for i in range(3) for to, of in ("ux", "vy")}
+    ms.compute_texcoord_by_function_per_wedge(**corners)
     return ms
 
 
