@@ -497,7 +497,7 @@ struct RelaxedPoints {
   std::vector<SurfacePoint> points;
   std::vector<double> energy;
 };
-/// Lloyd relaxation: ends after so many rounds, or when no point finds a better vertex.
+/// Lloyd relaxation: ends after so many rounds, or when no point finds a better vertex. May be quick.
 VOROGEO_API RelaxedPoints relax(const Surface& surface, const PointList& points, int rounds = 10,
                                 const TaskOptions& options = {});
 
@@ -711,7 +711,7 @@ struct ClusterOptions {
   std::vector<double> weights = {};  ///< empty: 1 for each point, of vertices a third of their faces
   int rounds = 100;                  ///< at most
   std::uint64_t seed = 0;            ///< of the random points to begin with
-  Answer by = Answer::automatic;
+  Answer by = Answer::automatic;     ///< of all vertices also quick
   ProgressFunction progress = {};
 };
 struct Clusters {

@@ -114,9 +114,14 @@ class PointClusters {
     require_memory(static_cast<double>(seeds.size()) * static_cast<double>(points.size()) * sizeof(double), 0,
                    "The table of distances of centres and points", "Ask for fewer clusters.");
     row_.resize(seeds.size());
+    limit_.resize(seeds.size());
     for (const Index seed : seeds) found_.centres.push_back(points[seed]);
+    const auto nearest = workers.field_at_points(found_.centres, unreachable);
+    for (const SurfacePoint& point : points) {
+      if (const double distance = nearest(point); distance < unreachable) reach_ = std::max(reach_, distance);
+    }
     parallel_for(seeds.size(), workers.threads(), workers.progress().part(0.1, 0.2), "Clusters",
-                 [&](std::size_t i, int worker) { row_[i] = row_of(found_.centres[i], worker); });
+                 [&](std::size_t i, int worker) { set_row(i, row_of(found_.centres[i], worker)); });
   }
 
   Clusters run(Index rounds, const Progress& progress) {
@@ -131,8 +136,15 @@ class PointClusters {
   }
 
  private:
+  /// A centre with a lower sum than the one before is at most twice as far from that as the cluster's
+  /// farthest point, so that none is farther from it than this.
+  double limit_of_row() const { return 3.0 * bounded_field_slack * reach_; }
   std::vector<double> row_of(const SurfacePoint& centre, int worker) {
-    return workers_.distances(centre, points_, unreachable, worker);
+    return workers_.few_distances(centre, points_, limit_of_row(), worker);
+  }
+  void set_row(std::size_t cluster, std::vector<double> row) {
+    row_[cluster] = std::move(row);
+    limit_[cluster] = limit_of_row();
   }
 
   double energy_of(std::size_t cluster, const std::vector<double>& row) const {
@@ -143,7 +155,18 @@ class PointClusters {
 
   /// Each point goes to the nearest centre.
   void divide() {
+    do {
+      label();
+    } while (lengthen_rows());
+    double energy = 0.0;
+    for (std::size_t i = 0; i < row_.size(); ++i) energy += energy_of(i, row_[i]);
+    found_.energy.push_back(energy);
+  }
+
+  /// By the rows as far as they reach.
+  void label() {
     members_.assign(row_.size(), {});
+    reach_ = 0.0;
     found_.label.assign(points_.size(), no_index);
     for (std::size_t j = 0; j < points_.size(); ++j) {
       double least = unreachable;
@@ -152,11 +175,22 @@ class PointClusters {
         least = row_[i][j];
         found_.label[j] = static_cast<Index>(i);
       }
-      if (weights_[j] > 0.0) members_[found_.label[j]].push_back(static_cast<Index>(j));
+      if (found_.label[j] == no_index && !(weights_[j] > 0.0)) continue;  // on a component without a centre
+      reach_ = std::max(reach_, least);
+      if (weights_[j] > 0.0 && least < unreachable)
+        members_[found_.label[j]].push_back(static_cast<Index>(j));
     }
-    double energy = 0.0;
-    for (std::size_t i = 0; i < row_.size(); ++i) energy += energy_of(i, row_[i]);
-    found_.energy.push_back(energy);
+  }
+
+  /// \return whether any row ended before the farthest point of a cluster, so that labels may be wrong.
+  bool lengthen_rows() {
+    bool is_longer = false;
+    for (std::size_t i = 0; i < row_.size(); ++i) {
+      if (limit_[i] >= reach_) continue;
+      set_row(i, row_of(found_.centres[i], 0));
+      is_longer = true;
+    }
+    return is_longer;
   }
 
   /// \return whether any moved.
@@ -182,7 +216,7 @@ class PointClusters {
     auto row = row_of(centre, worker);
     if (!(energy_of(i, row) < energy_of(i, row_[i]))) return false;
     found_.centres[i] = centre;
-    row_[i] = std::move(row);
+    set_row(i, std::move(row));
     return true;
   }
 
@@ -199,7 +233,9 @@ class PointClusters {
   SurfacePoint medoid_of(std::size_t cluster, const Progress& progress) {
     if (members_[cluster].empty()) return found_.centres[cluster];
     const auto [points, weights] = members(cluster);
-    const auto energy = least_energies(workers_, points, weights, power_, progress);
+    std::vector<double> row;
+    for (const Index j : members_[cluster]) row.push_back(row_[cluster][j]);
+    const auto energy = least_energies(workers_, points, weights, power_, row, progress);
     return points[std::ranges::min_element(energy) - energy.begin()];
   }
 
@@ -217,7 +253,10 @@ class PointClusters {
   const PointList& points_;
   const std::span<const double> weights_;
   const Power power_;
-  std::vector<std::vector<double>> row_{};  ///< by cluster: distances of all points from its centre
+  /// By cluster: distances of the points from its centre; `unreachable` far beyond all that are its own.
+  std::vector<std::vector<double>> row_{};
+  std::vector<double> limit_{};  ///< by cluster: beyond it, its row is `unreachable`
+  double reach_ = 0.0;           ///< the farthest that a point is from the nearest centre
   std::vector<std::vector<Index>> members_{};
   Clusters found_{};
 };

@@ -28,7 +28,8 @@ struct Clusters {
 /// when no centre moves. \throw InvalidInput for a count below 1 or above the number of different points of
 /// positive weight, fewer than the components that these lie on, weights as checked_weights(), negative
 /// rounds; of means of points, also as descend(); Cancelled. Complexity: in a round a field from each centre,
-/// and those of descend() or least_energies() within its cluster; of all vertices as relax_points().
+/// to three times the reach of the clusters, and those of descend() or least_energies() within its cluster;
+/// of all vertices as relax_points(), by fields that may be quick ones.
 Clusters clusters_of(Surface& surface, Index count, const std::optional<PointList>& points,
                      std::span<const double> weights, Power power, Index rounds, std::uint64_t seed,
                      const TaskOptions& options = {});

@@ -2,7 +2,6 @@
 #include "tasks/distance_matrix.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -16,17 +15,11 @@ namespace {
 /// Pairs handed to a worker at a time.
 constexpr std::size_t pairs_at_once = 64;
 
-/// A field takes as long as this many pairs of random vertices (measured with 35,000 and 134,000 vertices).
-double pairs_per_field(const Mesh& mesh) { return std::max(16.0, mesh.vertex_count() / 340.0); }
-/// The same for points in faces, whose distances are those of refined paths: measured 5 to 7 below 10,000
-/// vertices, then 11 and 17.
-double paths_per_field(const Mesh& mesh) { return 4.0 + std::sqrt(mesh.vertex_count()) / 28.0; }
-
 bool use_fields(const Workers& workers, MatrixMethod method, bool only_vertices, double fields,
                 double pairs) {
   if (workers.is_exact()) return true;
   if (method != MatrixMethod::automatic) return method == MatrixMethod::fields;
-  return fields * (only_vertices ? pairs_per_field(workers.mesh()) : paths_per_field(workers.mesh())) < pairs;
+  return fields * workers.pairs_per_field(only_vertices) < pairs;
 }
 
 void require_size(std::size_t actual, std::size_t wanted) {

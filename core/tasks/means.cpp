@@ -101,6 +101,18 @@ class Descent {
   }
 
  private:
+  /// Where the descent goes there may be no directions, although there are at its start.
+  void require_frame(const SurfacePoint& point) const {
+    try {
+      TangentFrame(geometry_, point);
+    } catch (const InvalidInput& error) {
+      const std::string why = error.what();
+      throw InvalidInput("The descent to the middle of the points cannot go on. " +
+                         why.substr(0, why.rfind("; ")) +
+                         "; give other points, or take the best of them by medoid().");
+    }
+  }
+
   Place look(const SurfacePoint& point, double reach) {
     Place place{TangentFrame(geometry_, point)};
     const LogMap map = surface_.lend([&](Query& query) {
@@ -234,7 +246,9 @@ class Descent {
   }
 
   bool improve(Place& here, const SurfacePoint& point, double length) {
-    Place there = look(canonical(*geometry_.mesh, point), 1.001 * (here.farthest + length));
+    const SurfacePoint end = canonical(*geometry_.mesh, point);
+    require_frame(end);
+    Place there = look(end, 1.001 * (here.farthest + length));
     const bool is_rounding = length <= least_measured_move * here.farthest;
     if (!(there.energy < here.energy * (is_rounding ? 1.0 + 1e-13 : 1.0))) return false;
     here = std::move(there);
@@ -285,8 +299,20 @@ std::vector<double> checked_weights(std::span<const double> weights, std::size_t
 }
 
 std::vector<double> least_energies(Workers& workers, const PointList& points, std::span<const double> weights,
-                                   Power power, const Progress& progress) {
+                                   Power power, std::span<const double> row, const Progress& progress) {
   const std::size_t count = points.size();
+  // By the triangle inequality, no point is farther from another than the way past a third one.
+  std::vector<double> limit(count, unreachable);
+  const auto narrow = [&](std::span<const double> distance) {
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (weights[i] > 0.0) farthest = std::max(farthest, distance[i]);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      limit[i] = std::min(limit[i], bounded_field_slack * (distance[i] + farthest));
+    }
+  };
+  if (!row.empty()) narrow(row);
   // By the triangle inequality, this root differs between two points by at most the scale times their
   // distance.
   const auto root = [&](double sum) { return power == Power::two ? std::sqrt(sum) : sum; };
@@ -301,9 +327,16 @@ std::vector<double> least_energies(Workers& workers, const PointList& points, st
     std::ranges::partial_sort(open, open.begin() + static_cast<std::ptrdiff_t>(batch), {},
                               [&](std::size_t i) { return std::pair(bound[i], i); });
     parallel_for(batch, workers.threads(), {}, "", [&](std::size_t k, int worker) {
-      rows[k] = workers.distances(points[open[k]], points, unreachable, worker);
+      const SurfacePoint& from = points[open[k]];
+      rows[k] = workers.few_distances(from, points, limit[open[k]], worker);
+      for (std::size_t j = 0; j < count; ++j) {
+        if (!(weights[j] > 0.0) || rows[k][j] < unreachable) continue;
+        rows[k] = workers.few_distances(from, points, unreachable, worker);  // the limit was an index's
+        break;
+      }
     });
     for (std::size_t k = 0; k < batch; ++k) {
+      narrow(rows[k]);
       double sum = 0.0;
       for (std::size_t j = 0; j < count; ++j) {
         if (weights[j] > 0.0) sum += weights[j] * powered(rows[k][j], power);
@@ -338,7 +371,7 @@ Index medoid(Surface& surface, const PointList& given, std::span<const double> g
   const auto weights = checked_weights(given_weights, given.size());
   const PointList points = joined_points(*surface.mesh(), given, weights);
   Workers workers(surface, options, expected_rows(points.size()));
-  const auto energy = least_energies(workers, points, weights, Power::one, workers.progress());
+  const auto energy = least_energies(workers, points, weights, Power::one, {}, workers.progress());
   return static_cast<Index>(std::ranges::min_element(energy) - energy.begin());
 }
 
@@ -365,7 +398,7 @@ Centre centre_of(Surface& surface, const PointList& given, std::span<const doubl
   {
     Workers workers(surface, {AnswerMethod::automatic, options.progress.part(0.0, 0.3)},
                     expected_rows(points.size()));
-    const auto energy = least_energies(workers, points, weights, power, workers.progress());
+    const auto energy = least_energies(workers, points, weights, power, {}, workers.progress());
     const double least = *std::ranges::min_element(energy);
     for (std::size_t i = 0; i < points.size() && starts.size() < most_starts; ++i) {
       const bool is_new = std::ranges::find(starts, points[i]) == starts.end();

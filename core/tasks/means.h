@@ -55,8 +55,9 @@ Index medoid(Surface& surface, const PointList& points, std::span<const double> 
              const TaskOptions& options = {});
 
 /// Of each point the weighted sum of powers of the distances from all; infinite for points that are ruled
-/// out. \pre as descend(), but weights may be 0.
+/// out. `row`: the distances of all from some point, if they are known. \pre as descend(), but weights may
+/// be 0.
 std::vector<double> least_energies(Workers& workers, const PointList& points, std::span<const double> weights,
-                                   Power power, const Progress& progress);
+                                   Power power, std::span<const double> row, const Progress& progress);
 
 }  // namespace vorogeo

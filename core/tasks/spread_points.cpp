@@ -214,7 +214,8 @@ RelaxedPoints relax_points(Surface& surface, const PointList& given, Index round
   if (rounds < 0) throw InvalidInput("The number of rounds is negative; give 0 or more.");
   // An index saves what lies beyond the short reach of each point, where its fields are exact, too.
   Workers workers(surface, options, std::min<double>(rounds, rounds_to_settle) + 1.0,
-                  std::max(0.0, 1.0 - (static_cast<double>(points.size()) - 1.0) * surface.short_reach()));
+                  std::max(0.0, 1.0 - (static_cast<double>(points.size()) - 1.0) * surface.short_reach()),
+                  true);
   const Progress& progress = workers.progress();
   std::vector<double> area =
       weights.empty() ? vertex_areas(mesh) : std::vector<double>(weights.begin(), weights.end());

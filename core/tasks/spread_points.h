@@ -65,8 +65,8 @@ struct RelaxedPoints {
 /// `rounds`, or when no point finds a better vertex; one that has not found any tries again when its region
 /// has changed. A point that repeats an earlier one owns no region and waits until that one has moved. \throw
 /// InvalidInput for no point or one that is not on the mesh, or negative rounds; Cancelled. Complexity: one
-/// or two fields from all points for each round. `weights`: of vertices, instead of a third of their faces.
-/// `power`: of the distances, by which the energy counts.
+/// or two fields from all points for each round, which may be quick ones. `weights`: of vertices, instead of
+/// a third of their faces. `power`: of the distances, by which the energy counts.
 RelaxedPoints relax_points(Surface& surface, const PointList& points, Index rounds,
                            const TaskOptions& options = {}, std::span<const double> weights = {},
                            Power power = Power::two);

@@ -21,7 +21,7 @@ inline constexpr double bounded_field_slack = 1.02;
 
 /// What every task takes.
 struct TaskOptions {
-  AnswerMethod by = AnswerMethod::automatic;  ///< not quick
+  AnswerMethod by = AnswerMethod::automatic;  ///< quick only where a task says so
   Progress progress{};
   Answered* answered = nullptr;  ///< if not null, receives what answered
 };
@@ -45,8 +45,10 @@ void require_radius(double radius);
 class Workers {
  public:
   /// For a task of about so many fields, each of which reaches the part `reach` of the surface (0 to 1). An
-  /// index that is needed is built here. \throw InvalidInput for the quick method; Cancelled.
-  Workers(Surface& surface, const TaskOptions& options, double fields, double reach = 1.0);
+  /// index that is needed is built here. `may_be_quick`: the task asks for fields only. \throw InvalidInput
+  /// for the quick method otherwise; Cancelled.
+  Workers(Surface& surface, const TaskOptions& options, double fields, double reach = 1.0,
+          bool may_be_quick = false);
   ~Workers();
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
@@ -64,6 +66,11 @@ class Workers {
   /// See Query::distances.
   std::vector<double> distances(const SurfacePoint& source, const PointList& targets, double max_distance,
                                 int worker);
+  /// So many distances of pairs take as long as a field from the index.
+  double pairs_per_field(bool only_vertices) const;
+  /// The same as distances(), by pairs where the index answers so few of them faster.
+  std::vector<double> few_distances(const SurfacePoint& source, const PointList& targets, double max_distance,
+                                    int worker);
   /// See Query::field_at_points: from the nearest of several sources, until the next question.
   std::function<double(const SurfacePoint&)> field_at_points(const PointList& sources, double max_distance);
   /// A field from the nearest of several sources, on all threads; only one such call at a time. `labels`: see

@@ -120,12 +120,18 @@ Results draw_cut_locus(FilterCall& call) {
   call.progress.report(1.0, "Cut locus");
   SurfaceLines lines{{}, std::move(locus.edges)};
   for (const SurfacePoint& point : locus.points) lines.points.push_back(position_of(*mesh, point));
+  const std::string of = "Cut locus of " + std::to_string(sources.size()) + " " + sources.what + ": ";
   add_polyline_layer(call.document, call.layer, "Cut locus", lines, locus.distance, true);
-  call.log("Cut locus of " + std::to_string(sources.size()) + " " + sources.what + ": " +
-           std::to_string(lines.segments.size()) + " segments, " + logged_length(lines.length()) +
-           " long in all");
+  call.log(of + (lines.segments.empty() ? "no line, as nowhere two shortest paths differ by this angle"
+                                        : std::to_string(lines.segments.size()) + " segments, " +
+                                              logged_length(lines.length()) + " long in all"));
+  if (answered.unreached > 0) {
+    call.log("No path leads to " + std::to_string(answered.unreached) +
+             " vertices, in components without a source; they have no lines");
+  }
   results["segments"] = static_cast<int>(lines.segments.size());
   results["length"] = lines.length();
+  results["unreachable_vertices"] = answered.unreached;
   results["snap_distance"] = sources.snap_distance;
   results["seconds"] = answered.seconds;
   return results;
@@ -568,7 +574,8 @@ std::vector<FilterRow> region_rows() {
            "second one, and the directions of the paths on both sides of it hardly differ: <b>Least "
            "angle</b> leaves out the ends of lines up to where they differ by as much. 0 shows all lines. "
            "Exact, without an index.</p>"
-           "<p>Returns the number of <i>segments</i> and their <i>length</i>. The mesh is not changed.</p>"
+           "<p>Returns the number of <i>segments</i>, their <i>length</i> and the number of "
+           "<i>unreachable_vertices</i>. Without any line there is no layer. The mesh is not changed.</p>"
            "<p>See:<br/><i>Micha Sharir, Amir Schorr</i><br/><b>\"On shortest paths in polyhedral "
            "spaces\"</b><br/>SIAM Journal on Computing 15(1), 1986.</p>",
        FilterPlugin::Measure, MeshModel::MM_NONE, cut_locus_parameters, draw_cut_locus},

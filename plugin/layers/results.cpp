@@ -68,6 +68,7 @@ MeshModel& new_layer(MeshDocument& document, const MeshModel& on, const QString&
 
 void add_polyline_layer(MeshDocument& document, const MeshModel& on, const QString& name,
                         const SurfaceLines& lines, std::span<const double> quality, bool make_current) {
+  if (lines.points.empty()) return;
   MeshModel& layer = new_layer(document, on, name, lines.points, quality, make_current);
   if (lines.segments.empty()) return;
   vcg::tri::Allocator<CMeshO>::AddEdges(layer.cm, lines.segments.size());

@@ -9,7 +9,7 @@ from . import _arguments as check
 from .points import Points, SurfacePoints, surface_points
 from .progress import ProgressFunction
 from .results import Clusters
-from .tasks import Tasks
+from .tasks import METHODS, Tasks
 
 #: The power of the distances that is summed.
 _MEDIAN, _MEAN = 1, 2
@@ -127,8 +127,9 @@ class Means(Tasks):
 
         Notes
         -----
-        In a round a field from each centre, from the index if there is one; of all vertices one or two from all centres
-        at once. Means of points take exact fields besides, bounded by their cluster.
+        In a round a field from each centre, from the index if there is one, and no farther than clusters may reach; of
+        all vertices one or two from all centres at once, for which `method` may also be "quick". Means of points take
+        exact fields besides, bounded by their cluster.
         """
         return self._clusters(count, points, weights, _MEAN, seed, rounds, method, progress)
 
@@ -161,7 +162,10 @@ class Means(Tasks):
         number = check.integer("count", count, 1, 2**31 - 1)
         limit, begin = check.integer("rounds", rounds, 0, 2**31 - 1), check.integer("seed", seed, 0, 2**64 - 1)
         arguments = number, rows, given, power, limit, begin
-        centres, labels, energy = self._ask(self._shared.core.clusters, *arguments, method=method, progress=progress)
+        choices = METHODS if rows is None else METHODS[:3]
+        centres, labels, energy = self._ask(
+            self._shared.core.clusters, *arguments, method=method, progress=progress, choices=choices
+        )
         return Clusters(labels, surface_points(centres), energy)
 
 

@@ -596,7 +596,7 @@ class Tasks:
         """Lloyd relaxation: move points to the middle of their geodesic Voronoi regions, at vertices.
 
         All move if that lowers the integral of squared geodesic distances over the surface, otherwise those over whose
-        region it does. Complexity: one or two fields from all points for each round.
+        region it does. Complexity: one or two fields from all points for each round, for which `method` may be "quick".
 
         Parameters
         ----------
@@ -606,7 +606,9 @@ class Tasks:
             At most this many; fewer if no point finds a better vertex.
         """
         chosen, limit = self._rows("points", points, least=1), check.integer("rounds", rounds, 0, 2**31 - 1)
-        rows, energy = self._ask(self._shared.core.relax, chosen, limit, method=method, progress=progress)
+        rows, energy = self._ask(
+            self._shared.core.relax, chosen, limit, method=method, progress=progress, choices=METHODS
+        )
         return RelaxedPoints(rows[0], energy, surface_points(rows))
 
 

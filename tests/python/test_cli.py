@@ -221,6 +221,17 @@ def test_the_default_name_is_made_of_mesh_and_command(mesh, capsys):
         (["cut", "plane.off", "--levels", "1"], 1, "--from: is missing; name the sources"),
         (["cut", "plane.off", "--points", "0", "142", "--region", "5"], 1, "--region 5: is not there; the cut has"),
         (["cut", "plane.off", "--points", "0", "142", "--out", "c.gii"], 1, "has no value for each vertex"),
+        (["directions", "plane.off", "--at", "0", "1"], 1, "point: has 2 points; give one"),
+        (["directions", "plane.off", "--at", "0", "--out", "d.xyz"], 1, "d.xyz: has no known ending"),
+        (["signed", "plane.off"], 1, "--curve: is missing; name points of a closed curve, or a --region"),
+        (["signed", "plane.off", "--curve", "0", "1", "--region", "r.npy"], 2, "not allowed with argument"),
+        (["signed", "plane.off", "--region", "no.npy"], 1, "--region no.npy: there is no such file"),
+        (["signed", "plane.off", "--region", "few.csv"], 1, "give one for each of the 240 faces"),
+        (["spline", "plane.off", "--points", "0"], 1, "points"),
+        (["mean", "plane.off", "--points", "143"], 1, "there is no vertex 143"),
+        (["clusters", "plane.off", "--count", "144"], 1, "There are 143 points to be divided into 144 clusters"),
+        (["clusters", "plane.off", "--count", "0"], 2, "'0' is not a whole number from 1 on"),
+        (["cut-locus", "plane.off", "--from", "0", "--min-angle", "181"], 2, "'181' is not an angle from 0 to 180"),
         (["field", "text.off", "--from", "0"], 1, "text.off: cannot be read as a mesh"),
         (["field", "short.off", "--from", "0"], 1, "ends before the numbers of vertices and faces"),
         (["field", "plane.off"], 2, "vorogeo field: error: the following arguments are required: --from"),
@@ -331,6 +342,68 @@ def test_cuts_keep_what_vertices_have(mesh):
         np.testing.assert_allclose(found["s"], 3 * found["x"] - found["y"], atol=1e-12)
         np.testing.assert_allclose(found["red"], 200 * found["x"], atol=1.01)
         assert (found["nz"] == 1).all()
+
+
+def test_directions_of_a_plane(mesh, capsys):
+    """The log map, its texture coordinates, and what is built on directions."""
+
+    def write(*arguments):
+        assert main([*arguments, "--quiet"]) == 0
+
+    middle = 71  # at 0.6, 0.5
+    away = VERTICES - VERTICES[middle]
+    write("directions", mesh, "--at", str(middle), "--out", "d.npz")
+    found = np.load("d.npz")
+    vector, distance, angle = (found[name] for name in ("vector", "distance", "angle"))
+    np.testing.assert_allclose(distance, APART[middle], atol=1e-12)
+    np.testing.assert_allclose(vector @ vector.T, away @ away.T, atol=1e-12)  # up to a turn
+    np.testing.assert_allclose(np.exp(1j * angle) * distance, vector @ [1, 1j], atol=1e-12)
+    write("directions", mesh, "--at", str(middle), "--max-distance", "0.25", "--out", "d.ply")
+    ply = meshio.read("d.ply").point_data
+    near = APART[middle] <= 0.25
+    np.testing.assert_array_equal(ply["quality"] == -1, ~near)
+    uv = np.column_stack([ply["texture_u"], ply["texture_v"]])
+    np.testing.assert_allclose(uv[near], 0.5 + vector[near] / 0.5, atol=1e-6)
+    assert (uv[~near] == 0).all()
+    corners = ["0.2,0.2,0", "1.0,0.2,0", "1.0,0.8,0", "0.2,0.8,0"]
+    off = np.abs(VERTICES[:, :2] - [0.6, 0.5]) - [0.4, 0.3]
+    expected = np.minimum(off.max(axis=1), 0) + np.linalg.norm(np.maximum(off, 0), axis=1)
+    write("signed", mesh, "--curve", *corners, "--out", "s.npy")
+    np.testing.assert_allclose(np.load("s.npy"), expected, atol=1e-6)
+    np.save("inside.npy", (np.abs(VERTICES[FACES].mean(axis=1)[:, :2] - [0.6, 0.5]) < [0.4, 0.3]).all(axis=1))
+    write("signed", mesh, "--region", "inside.npy", "--out", "s.npy")
+    np.testing.assert_allclose(np.load("s.npy"), expected, atol=1e-6)
+    write("cut-locus", mesh, "--from", "0", "11", "--out", "c.npz")
+    locus = np.load("c.npz")
+    np.testing.assert_allclose(locus["points"][:, 0], 0.55, atol=1e-9)
+    np.testing.assert_allclose(locus["distance"], np.hypot(0.55, locus["points"][:, 1]), atol=1e-9)
+    write("cut-locus", mesh, "--from", "0", "11", "--min-angle", "92")
+    head, _, body = Path("plane-cut-locus.ply").read_bytes().partition(b"end_header\n")
+    count = int(re.search(rb"vertex (\d+)", head)[1])
+    points = np.frombuffer(body, [("at", "<f8", 3), ("quality", "<f4")], count)
+    np.testing.assert_allclose(points["quality"], np.hypot(0.55, points["at"][:, 1]), rtol=1e-6)
+    assert points["at"][:, 1].max() == pytest.approx(0.5)  # at 0.55 they are seen at a right angle
+    capsys.readouterr()
+    assert main(["spline", mesh, "--points", "13", "19", "25"]) == 0
+    assert float(capsys.readouterr().out) == pytest.approx(1.2)
+    write("spline", mesh, "--points", *corners, "--closed", "--near", "--out", "near.npz")
+    write("spline", mesh, "--points", *corners, "--closed", "--out", "through.npz")
+    assert np.load("near.npz")["length"] < 2.8 < np.load("through.npz")["length"] + 0.3
+    capsys.readouterr()
+    for options, place in ((), VERTICES[[0, 5, 60]].mean(axis=0)), (("--median",), VERTICES[5]):
+        points = ("0", "5", "60") if not options else ("4", "5", "6", "18")
+        assert main(["mean", mesh, "--points", *points, *options]) == 0
+        np.testing.assert_allclose([float(x) for x in capsys.readouterr().out.split(",")], place, atol=1e-8)
+    write("clusters", mesh, "--count", "5", "--out", "k.npz", "--exact")
+    found = np.load("k.npz")
+    apart = np.linalg.norm(VERTICES[:, None] - found["centre_points"], axis=2)
+    np.testing.assert_allclose(apart[np.arange(143), found["label"]], apart.min(axis=1), atol=1e-9)
+    write(
+        "clusters", mesh, "--count", "2", "--points", "0", "1", "2", "140", "141", "142", "--medoids", "--out", "m.npy"
+    )
+    labels = np.load("m.npy")
+    assert (labels == np.repeat(labels[[0, -1]], 3)).all()
+    assert labels[0] != labels[-1]
 
 
 def test_loops_and_girths_of_a_tube(tmp_path, monkeypatch, capsys):

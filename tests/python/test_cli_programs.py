@@ -71,6 +71,17 @@ def test_every_command_tells_its_numbers(asked, tmp_path):
     assert [square["area"], square["perimeter"]] == pytest.approx([0.49, 2.8])
     assert one("profile", "--points", "0", "12", "--out", "p.csv")["length"] == pytest.approx(1.2)
     assert one("cut", "--points", "0.55,0,0", "0.55,1,0", "--out", "c.ply")["area"] == pytest.approx([0.55, 0.65])
+    seen = one("directions", "--at", "0", "--out", "d.npy")
+    assert (seen["vertices"], seen["reached"], seen["farthest"]) == (143, 143, pytest.approx(diagonal))
+    sides = one("signed", "--curve", "14", "24", "128", "118", "--out", "s.npy")
+    assert (sides["reached"], sides["inside"], sides["outside"]) == pytest.approx(
+        (143, 0.4, np.hypot(0.1, 0.1)), abs=1e-6
+    )
+    assert one("spline", "--points", "0", "6", "12")["length"] == pytest.approx([1.2])
+    assert one("mean", "--points", "0", "12", "142", "130")["point"] == pytest.approx([0.6, 0.5, 0.0])
+    parts = one("clusters", "--count", "4", "--out", "k.npy", "--exact")
+    assert (sum(parts["size"]), len(parts["centre"])) == (143, 4)
+    assert one("cut-locus", "--from", "0", "11", "--out", "l.ply")["length"] == pytest.approx(1.0)
     index = one("index", "--out", "plane.vgi", "--patches", "3", "2")["index"]
     assert (index["vertices"], index["first_layer_patches"]) == (143, 3)
     info = one("info")

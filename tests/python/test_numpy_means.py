@@ -277,6 +277,38 @@ def test_energy_falls_and_every_point_is_with_its_nearest_centre(method, of, nam
     assert len(getattr(surface, name)(6, points, rounds=0, method=method).energy) == 1
 
 
+@pytest.mark.parametrize("name", ["k_means", "k_medoids"])
+def test_points_without_weight_go_to_the_nearest_centre_however_far_it_is(name):
+    vertices, faces = plane_grid(41, 5, 10.0, 1.0)
+    surface = vorogeo.Surface(vertices, faces)
+    random = np.random.default_rng()
+    weights = ((vertices[:, 0] < 0.6) | (vertices[:, 0] > 9.4)) * random.uniform(0.5, 1, len(vertices))
+    found = getattr(surface, name)(2, np.arange(len(vertices)), weights, method="exact")
+    centres = found.centres.positions(vertices, faces)
+    apart = np.linalg.norm(vertices[:, None] - centres, axis=2)
+    np.testing.assert_allclose(apart[np.arange(len(vertices)), found.labels], apart.min(axis=1), atol=1e-9)
+    power = 2 if name == "k_means" else 1
+    np.testing.assert_allclose(found.energy[-1], weights @ apart.min(axis=1) ** power, rtol=1e-9)
+
+
+def test_clusters_of_all_vertices_by_quick_fields():
+    vertices, faces = bent_grid(25, 21)
+    surface = vorogeo.Surface(vertices, faces)
+    area = np.linalg.norm(np.cross(*(vertices[faces[:, k]] - vertices[faces[:, 0]] for k in (1, 2))), axis=1) / 2
+    weights = np.bincount(faces.ravel(), np.repeat(area / 3, 3))
+    for power, find in (2, surface.k_means), (1, surface.k_medoids):
+        found = find(6, seed=2, method="quick")
+        assert surface.last.by == "quick"
+        assert (np.diff(found.energy) <= 0).all()
+        exact = weights @ surface.distance_field(found.centres, method="exact") ** power
+        np.testing.assert_allclose(found.energy[-1], exact, rtol=0.02)
+        assert exact < 1.1 * find(6, seed=2, method="exact").energy[-1]
+    start = [0, 100, 300]
+    quick = surface.relax(start, method="quick")
+    assert surface.last.by == "quick"
+    assert quick.energy[-1] < 1.1 * surface.relax(start, method="exact").energy[-1]
+
+
 def test_clusters_by_weight_and_of_several_components():
     one = plane_grid(5, 5)
     vertices, faces = side_by_side(one, one)

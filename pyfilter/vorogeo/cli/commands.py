@@ -13,9 +13,11 @@ from ..mesh_check import check_mesh
 from ..mesh_files import read_vertex_values
 from ..points import SurfacePoints
 from ..results import GeodesicPath
+from . import directions
 from .comparison import compare
 from .job import Command, MeshTask, surface_area
 from .outputs import Result, format_of
+from .paths import lines_of
 from .sources import values_in
 
 
@@ -47,31 +49,7 @@ def path(task: MeshTask) -> Result:
     """Shortest paths of pairs."""
     find = task.surface.exact_path if task.exact else task.surface.path
     found = find(*_ends(task), progress=task.progress)
-    return _lines(task, found if isinstance(found, list) else [found])
-
-
-def _lines(task: MeshTask, paths: list[GeodesicPath]) -> Result:
-    """The points of paths, one path after the other."""
-    begin = np.concatenate([[0], np.cumsum([len(one.points) for one in paths])])
-    points = np.concatenate([one.points for one in paths]) / task.scale
-    arrays: dict[str, NDArray[Any]] = {
-        "points": points,
-        "path": np.repeat(np.arange(len(paths)), np.diff(begin)),
-        "length": np.array([one.length for one in paths]),
-        "certified": np.array([one.certified for one in paths]),
-        "face": np.concatenate([one.surface_points.faces for one in paths]),
-        "barycentric": np.concatenate([one.surface_points.barycentric for one in paths]),
-        "vertex": np.concatenate([one.vertices for one in paths]),
-    }
-    joined = np.flatnonzero(arrays["path"][1:] == arrays["path"][:-1])
-    text = "\n".join(f"{one.length:.12g}" for one in paths)
-    result = Result("points", arrays, task.shown_mesh, lines=(points, np.column_stack([joined, joined + 1])), text=text)
-    result.summary = {name: arrays[name] for name in ("length", "certified")}
-    if format_of(task.target) == ".csv":
-        columns = [arrays["path"], points, arrays["face"], arrays["barycentric"]]
-        result.arrays = {"points": np.column_stack(columns)}
-        result.columns = ["path", "x", "y", "z", "face", "weight1", "weight2", "weight3"]
-    return result
+    return lines_of(task, found if isinstance(found, list) else [found])
 
 
 def matrix(task: MeshTask) -> Result:
@@ -147,7 +125,7 @@ def sample(task: MeshTask) -> Result:
 
 def through(task: MeshTask) -> Result:
     """The path through points."""
-    return _lines(task, [_path_through(task)])
+    return lines_of(task, [_path_through(task)])
 
 
 def _path_through(task: MeshTask) -> GeodesicPath:
@@ -165,16 +143,16 @@ def loop(task: MeshTask) -> Result:
     curve = task.points("curve") if task.options.get("curve") else None
     how: dict[str, Any] = {"method": task.method, "progress": task.progress}
     if task.options.get("at"):
-        return _lines(task, [task.surface.shortest_loop(task.points("at"), curve, **how)])
+        return lines_of(task, [task.surface.shortest_loop(task.points("at"), curve, **how)])
     if curve is None:
         raise InvalidInput("--at: is missing; name the point that the loop goes through, or a --curve to pull tight.")
-    return _lines(task, [task.surface.tighten(curve, **how)])
+    return lines_of(task, [task.surface.tighten(curve, **how)])
 
 
 def girth(task: MeshTask) -> Result:
     """The lengths of section, tape and loop at a point; section and loop as paths."""
     found = task.surface.girth(task.points("at"), task.options.get("normal"), progress=task.progress)
-    result = _lines(task, [found.section, found.loop])
+    result = lines_of(task, [found.section, found.loop])
     result.arrays["tape"] = found.tape.points / task.scale
     return _of_measures(result, {"section": found.section.length, "tape": found.tape.length, "loop": found.loop.length})
 
@@ -236,7 +214,7 @@ def polygon(task: MeshTask) -> Result:
     """The polygon of points, or their convex hull: its legs as paths, and its measures."""
     find = task.surface.convex_hull if task.options.get("hull") else task.surface.polygon
     found = find(task.points("points"), method=task.method, progress=task.progress)
-    result = _lines(task, found.legs)
+    result = lines_of(task, found.legs)
     result.arrays |= {
         "area": np.array([found.area]),
         "perimeter": np.array([found.perimeter]),
@@ -350,6 +328,7 @@ COMMANDS: dict[str, Command] = {
     "polygon": polygon,
     "profile": profile,
     "cut": cut,
+    **directions.COMMANDS,
     "index": index,
     "compare": compare,
     "info": info,

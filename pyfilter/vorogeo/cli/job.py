@@ -21,7 +21,10 @@ from ..surface import GeodesicIndex, Surface
 from .sources import metric_of, points_of
 
 #: Of few fields: `Surface` itself decides whether an index pays.
-_WITHOUT_INDEX = ("through", "loop", "girth", "area", "sets", "polygon", "profile", "cut")
+_WITHOUT_INDEX = (
+    *("through", "loop", "girth", "area", "sets", "polygon", "profile", "cut"),
+    *("directions", "signed", "spline", "mean", "clusters", "cut-locus"),
+)
 
 
 @dataclass(frozen=True)

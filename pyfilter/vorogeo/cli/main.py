@@ -16,8 +16,21 @@ from .job import Job
 from .options import parser
 from .worker import failure, run
 
-_PRINTED = ("distance", "path", "through", "loop", "girth", "area", "sets", "polygon", "compare", "info")
-_ENDINGS = {"index": ".vgi", "neighbours": ".npz", "profile": ".csv", "cut": ".ply"}
+_PRINTED = (
+    "distance",
+    "path",
+    "through",
+    "loop",
+    "girth",
+    "area",
+    "sets",
+    "polygon",
+    "spline",
+    "mean",
+    "compare",
+    "info",
+)
+_ENDINGS = {"index": ".vgi", "neighbours": ".npz", "profile": ".csv", "cut": ".ply", "cut-locus": ".ply"}
 _NOT_IN_JOBS = ("command", "mesh", "out", "format", "jobs", "scheduler", "overwrite", "quiet", "version")
 
 

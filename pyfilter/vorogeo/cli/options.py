@@ -236,6 +236,68 @@ _COMMANDS: dict[str, tuple[str, str, _Options]] = {
             ),
         ),
     ),
+    "directions": (
+        "Where all vertices lie as seen from a point: vectors in its frame; in a .ply, quality is their angle.",
+        "--at POINT",
+        (
+            _option("--at POINT", "the point", required=True),
+            _option(
+                "--max-distance L", "of vectors; a .ply then has texture coordinates, of a picture of twice this width"
+            ),
+        ),
+    ),
+    "signed": (
+        "Distance of every vertex from a closed curve or the border of a region; negative inside.",
+        "",
+        (
+            [
+                _option("--curve POINT", "in order; the path through them and back to the first"),
+                _option("--region FILE", "of each face 0 outside and another number inside (.npy, .txt, .csv)"),
+            ],
+            _option("--max-distance L", "distances above it become infinite"),
+        ),
+    ),
+    "spline": (
+        "The smooth curve through points; without --out its length is printed.",
+        "--points POINT...",
+        (
+            _option("--points POINT", "in order", required=True),
+            _option("--closed", "and from the last back to the first"),
+            _option("--near", "a smoother one, near the points between the ends (B-spline)"),
+        ),
+    ),
+    "mean": (
+        "The point in the middle of points; without --out it is printed.",
+        "--points POINT...",
+        (
+            _option("--points POINT", "the points", required=True),
+            _option("--median", "the least sum of distances, not of their squares"),
+        ),
+    ),
+    "clusters": (
+        "Clusters of all vertices or of points around their means; in a .ply, quality is the number of the cluster.",
+        "--count K",
+        (
+            _option("--count K", "how many", required=True),
+            _option("--points POINT", "the points; default: all vertices"),
+            _option("--medoids", "the least sum of distances, not of their squares; centres are among the points"),
+            _option("--seed N", "of random numbers; default 0", type=_SEED, default=0),
+        ),
+    ),
+    "cut-locus": (
+        "Where several shortest paths from points end, as lines (.ply).",
+        "--from POINT...",
+        (
+            _SOURCES,
+            _option(
+                "--min-angle A",
+                "ends of lines are left out up to where directions differ by so many degrees; default 0",
+                type=_number(float, 0, 180, "an angle from 0 to 180 degrees"),
+                default=0.0,
+            ),
+            _option("--max-distance L", "only within this distance"),
+        ),
+    ),
     "index": ("Build the index and write it to a file (.vgi), for --index of other commands.", "", ()),
     "compare": (
         "Errors and times of the index, of other methods, or of a field made elsewhere, against the exact field.",
@@ -260,7 +322,11 @@ _COMMANDS: dict[str, tuple[str, str, _Options]] = {
 _COMMON: _Options = (
     _option("mesh MESH", "files, patterns or folders", nargs="+"),
     _option("--out PLACE", "a file, or for several meshes a folder; default: MESH-COMMAND.npy here"),
-    _option("--format", "of files in a folder; default: npy; neighbours npz, profile csv, cut ply", choices=_FORMATS),
+    _option(
+        "--format",
+        "of files in a folder; default: npy; neighbours npz, profile csv, cut and cut-locus ply",
+        choices=_FORMATS,
+    ),
     _option("--dtype", "of distances", choices=("float64", "float32"), default="float64"),
     _option("--exact", "exact propagation instead of the index: slower, no errors"),
     _option(

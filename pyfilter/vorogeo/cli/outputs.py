@@ -26,6 +26,7 @@ class Result:
     mesh: tuple[NDArray[Any], NDArray[Any]]  # vertices, as in the file, and faces
     per_vertex: str = ""  # the one with a value for each vertex, for meshes with quality and GIFTI; empty: none
     per_face: str = ""  # the one with a value for each face, for meshes with quality of faces; empty: none
+    no_value: float = -1  # what meshes with quality have where that is not finite, as the filters write it
     vertex_values: dict[str, NDArray[Any]] = field(default_factory=dict)  # what else a PLY has for each vertex
     lines: tuple[NDArray[Any], NDArray[Any]] | None = None  # points and edges to write as PLY instead of the mesh
     sparse: Any = None  # a scipy.sparse matrix instead of arrays
@@ -146,8 +147,7 @@ def _ply(result: Result, part: Path) -> None:
         raise InvalidInput("This result has no value for each vertex, so it is no PLY; choose .npy, .npz or .csv.")
     values = dict(zip("xyz", points.T.astype(float), strict=True)) | result.vertex_values
     if quality is not None:
-        # As the filters: -1 where no path leads.
-        values["quality"] = np.where(np.isfinite(quality), quality, -1).astype("f4")
+        values["quality"] = np.where(np.isfinite(quality), quality, result.no_value).astype("f4")
     types = {name: value.dtype.str[1:] if value.dtype.str[1:] in _PLY_TYPES else "f8" for name, value in values.items()}
     vertex = np.zeros(len(points), [(name, "<" + kind) for name, kind in types.items()])
     for name, value in values.items():
