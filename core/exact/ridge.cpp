@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "exact/edge_axes.h"
+#include "exact/face_splits.h"
 #include "exact/path_tracing.h"
 #include "exact/wave_tree.h"
 #include "support/disjoint_sets.h"
@@ -27,6 +28,8 @@ constexpr double equal_waves = 1e-10;
 constexpr double on_curve = 1e-7;
 /// Lines that meet this close to where one of them ends, relative to the same, meet there.
 constexpr double one_place = 1e-9;
+/// The least weight of a point where lines meet.
+constexpr double inside_face = 1e-12;
 
 double angle_in_plane(const PlanePoint& a, const PlanePoint& b) {
   return std::atan2(std::abs(cross_in_plane(a, b)), dot_in_plane(a, b));
@@ -42,21 +45,29 @@ struct PlaneWave {
   }
 };
 
-/// A line of the ridge in a face: where two waves are equal, those before and behind it as one goes round the
-/// face.
-struct Curve {
-  std::array<PlaneWave, 2> waves{};
-
-  /// How far a place is from the curve, to first order, and in which direction.
-  double off(const PlanePoint& place, PlanePoint& across) const {
-    const PlanePoint u = minus_in_plane(place, waves[0].source), v = minus_in_plane(place, waves[1].source);
-    const double a = std::hypot(u[0], u[1]), b = std::hypot(v[0], v[1]);
-    across = {u[0] / a - v[0] / b, u[1] / a - v[1] / b};
-    const double slope = std::hypot(across[0], across[1]);
-    across = {across[0] / slope, across[1] / slope};
-    return (waves[0].offset + a - waves[1].offset - b) / slope;
+/// Where three waves are equal, by their circles: the differences of their equations are linear in the place
+/// and in the distance. The nearer one of two such places; false if there is none.
+bool meet(const std::array<PlaneWave, 3>& waves, PlanePoint& place) {
+  const PlanePoint u = minus_in_plane(waves[1].source, waves[0].source),
+                   v = minus_in_plane(waves[2].source, waves[0].source);
+  const double u_later = waves[1].offset - waves[0].offset, v_later = waves[2].offset - waves[0].offset;
+  const double twice = 2.0 * cross_in_plane(u, v);
+  const double u_part = dot_in_plane(u, u) - u_later * u_later,
+               v_part = dot_in_plane(v, v) - v_later * v_later;
+  // From the first source: at + distance * by.
+  const PlanePoint at{(u_part * v[1] - v_part * u[1]) / twice, (v_part * u[0] - u_part * v[0]) / twice};
+  const PlanePoint by{2.0 * (u_later * v[1] - v_later * u[1]) / twice,
+                      2.0 * (v_later * u[0] - u_later * v[0]) / twice};
+  const double a = dot_in_plane(by, by) - 1.0, b = dot_in_plane(at, by), c = dot_in_plane(at, at);
+  const double root = std::sqrt(std::max(0.0, b * b - a * c));
+  const double q = b < 0.0 ? root - b : -root - b;
+  double nearest = unreachable;
+  for (const double distance : {c / q, q / a}) {
+    if (distance >= std::max({0.0, u_later, v_later}) && distance < nearest) nearest = distance;
   }
-};
+  place = {waves[0].source[0] + at[0] + nearest * by[0], waves[0].source[1] + at[1] + nearest * by[1]};
+  return std::isfinite(place[0] + place[1]);
+}
 
 // ---- The lines as a graph: all that lies between the areas of a wave tree, without its dead ends
 
@@ -302,13 +313,13 @@ class LineGraph {
 
 class RidgeMaker {
  public:
-  RidgeMaker(const ExactSolver& solver, const ExactSolver::State& state)
+  RidgeMaker(const ExactSolver& solver, const ExactSolver::State& state, const WaveTree& tree)
       : solver_(solver),
         state_(state),
         mesh_(state.mesh),
         geometry_(*state.geometry),
-        tree_(state),
-        graph_(state, tree_),
+        tree_(tree),
+        graph_(state, tree),
         point_of_node_(graph_.node_count(), no_index) {}
 
   Ridge make() {
@@ -328,7 +339,7 @@ class RidgeMaker {
   struct End {
     PlanePoint place;
     Index point;
-    Curve curve;
+    std::array<PlaneWave, 2> waves;  ///< before and behind the line as one goes round the face
   };
 
   Index add_point(const SurfacePoint& point, double distance, double angle) {
@@ -434,7 +445,7 @@ class RidgeMaker {
       const auto& next = border_[(gap + 1) % border_.size()];
       End end;
       end.point = point_of(node);
-      end.curve.waves = {wave_of(piece, meeting.face, plane), wave_of(next, meeting.face, plane)};
+      end.waves = {wave_of(piece, meeting.face, plane), wave_of(next, meeting.face, plane)};
       if (graph_.is_vertex(node)) {
         const auto& corners = mesh_.face_vertices(meeting.face);
         end.place = plane.corner[std::ranges::find(corners, graph_.vertex(node)) - corners.begin()];
@@ -453,54 +464,69 @@ class RidgeMaker {
     std::vector<End> ends = ends_of(meeting, plane);
     double size = 0.0;
     for (int i = 0; i < 3; ++i) size = std::max(size, mesh_.edge_length(mesh_.edge_of(3 * meeting.face + i)));
-    PlanePoint place{};
-    if (!find_junction(plane, ends, size, place)) {
-      place = {};
-      for (const End& end : ends) {
-        for (int c = 0; c < 2; ++c) place[c] += end.place[c] / static_cast<double>(ends.size());
-      }
+    while (ends.size() > 2 && join_two(meeting.face, plane, size, ends)) {
     }
+    if (ends.size() == 2) return add_line(ends[0].point, ends[1].point);
+    PlanePoint middle{};
+    for (const End& end : ends) {
+      for (int c = 0; c < 2; ++c) middle[c] += end.place[c] / static_cast<double>(ends.size());
+    }
+    join_at(meeting.face, plane, size, middle, ends);
+  }
+
+  /// Of three lines and more the first two that meet, neighbours: no other wave is nearer there. What lies
+  /// between them ends, and one line goes on. \return false if there are none.
+  bool join_two(Index face, const FacePlane& plane, double size, std::vector<End>& ends) {
+    double most = -unreachable;
+    std::size_t first = ends.size();
+    PlanePoint place{};
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      const auto &one = ends[i].waves, &other = ends[(i + 1) % ends.size()].waves;
+      PlanePoint at{};
+      if (!meet({one[0], one[1], other[1]}, at) || !is_inside(plane, at)) continue;
+      double nearest = unreachable;
+      for (const End& end : ends) {
+        for (const PlaneWave& wave : end.waves) nearest = std::min(nearest, wave.distance(at));
+      }
+      double room = nearest - one[0].distance(at);
+      if (!(room > -on_curve * size)) continue;
+      // Of equal ones where one of them ends, as on a border, which lines meet without crossing it.
+      for (const std::size_t k : {i, (i + 1) % ends.size()}) {
+        if (is_at(ends[k], at, size)) room = unreachable;
+      }
+      if (!(room > most)) continue;
+      most = room;
+      first = i;
+      place = at;
+    }
+    if (first == ends.size()) return false;
+    const std::size_t second = (first + 1) % ends.size();
+    const std::array both{ends[first], ends[second]};
+    ends[first] = {place, join_at(face, plane, size, place, both), {both[0].waves[0], both[1].waves[1]}};
+    ends.erase(ends.begin() + static_cast<std::ptrdiff_t>(second));
+    return true;
+  }
+
+  static bool is_at(const End& end, const PlanePoint& place, double size) {
+    const PlanePoint off = minus_in_plane(end.place, place);
+    return std::hypot(off[0], off[1]) <= one_place * size;
+  }
+  static bool is_inside(const FacePlane& plane, const PlanePoint& place) {
+    return std::ranges::all_of(weights_of(plane, place), [](double weight) { return weight >= -1e-9; });
+  }
+
+  /// \return the point there.
+  Index join_at(Index face, const FacePlane& plane, double size, const PlanePoint& place,
+                std::span<const End> ends) {
+    // Several lines that end at one vertex stay apart.
     const auto at_end = std::ranges::find_if(ends, [&](const End& end) {
-      const PlanePoint off = minus_in_plane(end.place, place);
-      return std::hypot(off[0], off[1]) <= one_place * size;
+      return is_at(end, place, size) && std::ranges::count(ends, end.point, &End::point) == 1;
     });
-    const Index junction =
-        at_end == ends.end() ? add_junction(meeting.face, plane, ends, place) : at_end->point;
+    const Index junction = at_end == ends.end() ? add_junction(face, plane, ends, place) : at_end->point;
     for (const End& end : ends) {
       if (end.point != junction) add_line(end.point, junction);
     }
-  }
-
-  /// Where lines of a face meet in one point.
-  static bool find_junction(const FacePlane& plane, std::span<const End> ends, double size,
-                            PlanePoint& place) {
-    constexpr int most_steps = 30;
-    place = {};
-    for (const PlanePoint& corner : plane.corner)
-      place = {place[0] + corner[0] / 3.0, place[1] + corner[1] / 3.0};
-    double off = 0.0;
-    for (int step = 0; step < most_steps; ++step) {
-      // Gauss-Newton.
-      double xx = 0.0, xy = 0.0, yy = 0.0, x = 0.0, y = 0.0;
-      off = 0.0;
-      for (const End& end : ends) {
-        PlanePoint across{};
-        const double own = end.curve.off(place, across);
-        off = std::max(off, std::abs(own));
-        xx += across[0] * across[0];
-        xy += across[0] * across[1];
-        yy += across[1] * across[1];
-        x += across[0] * own;
-        y += across[1] * own;
-      }
-      const double determinant = xx * yy - xy * xy;
-      const PlanePoint move{(yy * x - xy * y) / determinant, (xx * y - xy * x) / determinant};
-      if (!std::isfinite(move[0] + move[1])) return false;
-      place = minus_in_plane(place, move);
-      if (std::hypot(move[0], move[1]) <= 1e-14 * size) break;
-    }
-    if (!(off <= on_curve * size)) return false;
-    return std::ranges::all_of(weights_of(plane, place), [](double weight) { return weight >= -1e-9; });
+    return junction;
   }
 
   static std::array<double, 3> weights_of(const FacePlane& plane, const PlanePoint& place) {
@@ -515,12 +541,17 @@ class RidgeMaker {
   Index add_junction(Index face, const FacePlane& plane, std::span<const End> ends, const PlanePoint& place) {
     auto weights = weights_of(plane, place);
     double sum = 0.0, angle = 0.0;
-    for (double& weight : weights) sum += weight = std::max(weight, 0.0);
+    // Inside: if it were on a border, it would count as where lines come to that.
+    for (double& weight : weights) sum += weight = std::max(weight, inside_face);
     for (double& weight : weights) weight /= sum;
     // A face without area.
     if (!std::isfinite(weights[0] + weights[1] + weights[2])) weights = {1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0};
-    for (const End& end : ends) angle = std::max(angle, ridge_.angle[end.point]);
-    const SurfacePoint at = canonical(mesh_, SurfacePoint::in_face(face, weights));
+    for (const End& end : ends) {
+      const auto& [one, other] = end.waves;
+      angle = std::max(
+          angle, angle_in_plane(minus_in_plane(one.source, place), minus_in_plane(other.source, place)));
+    }
+    const auto at = SurfacePoint::in_face(face, weights);
     return add_point(at, solver_.distance(at), angle);
   }
 
@@ -549,18 +580,56 @@ class RidgeMaker {
   const ExactSolver::State& state_;
   const Mesh& mesh_;
   const ExactGeometry& geometry_;
-  WaveTree tree_;
+  const WaveTree& tree_;
   LineGraph graph_;
   Ridge ridge_;
   std::vector<WaveTree::Piece> border_;
   std::vector<Index> point_of_node_;
 };
 
+/// Sources inside faces where one is nearest to nothing on the border of its face, so that no area tells of
+/// it.
+std::vector<Index> sources_of_enclosed_regions(const ExactSolver::State& state, const WaveTree& tree) {
+  const auto is_inside = [&](Index source) {
+    const SurfacePoint& point = state.sources[source].point;
+    return !point.is_vertex() && std::ranges::all_of(point.barycentric, [](double w) { return w > 0.0; });
+  };
+  std::vector<Index> found, inside;
+  std::vector<bool> is_seen(state.sources.size(), false);
+  std::vector<WaveTree::Piece> border;
+  for (Index s = 0; s < static_cast<Index>(state.sources.size()); ++s) {
+    if (is_seen[s] || !is_inside(s)) continue;
+    inside.clear();
+    for (const Index source : state.sources_in(state.sources[s].point.face)) {
+      if (!is_inside(source)) continue;
+      inside.push_back(source);
+      is_seen[source] = true;
+    }
+    tree.border_of(state.sources[s].point.face, border);
+    const auto has_area = [&](Index source) {
+      return std::ranges::any_of(border, [&](const auto& piece) {
+        return piece.area == Origin{Origin::source, source};
+      });
+    };
+    if (!std::ranges::all_of(inside, has_area)) found.insert(found.end(), inside.begin(), inside.end());
+  }
+  return found;
+}
+
 }  // namespace
 
 Ridge ExactSolver::ridge() const {
   state_->require_windows();
-  return RidgeMaker(*this, *state_).make();
+  const WaveTree tree(*state_);
+  const std::vector<Index> inside = sources_of_enclosed_regions(*state_, tree);
+  if (inside.empty()) return RidgeMaker(*this, *state_, tree).make();
+  const SplitAtSources split(*state_->geometry, state_->sources, inside);
+  ExactSolver solver(split.mesh());
+  solver.run(split.sources(), {.max_distance = state_->max_distance});
+  const WaveTree tree_over_parts(*solver.state_);
+  Ridge ridge = RidgeMaker(solver, *solver.state_, tree_over_parts).make();
+  for (SurfacePoint& point : ridge.points) point = split.given_point(point);
+  return ridge;
 }
 
 }  // namespace vorogeo

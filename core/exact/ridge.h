@@ -14,8 +14,8 @@ namespace vorogeo {
 /// more than 1e-7 to a full turn, and may run along an edge, where its two faces bring equal waves.
 ///
 /// On an edge, the places where two waves meet are exact, as the ends of their windows are. In a face, two
-/// such places are joined straight, as the line is unless a path has turned; three and more by way of the
-/// point where all waves meet.
+/// such places are joined straight, as the line is unless a path has turned; three and more by way of points
+/// where three waves meet. Where a region lies within a face, that is split at its sources first.
 struct Ridge {
   std::vector<SurfacePoint> points;
   std::vector<std::array<Index, 2>> edges;

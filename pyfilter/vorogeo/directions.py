@@ -255,9 +255,8 @@ class Directions(Tasks):
 
         Without it, the surface can be laid out from the source: a closed one is one disk for each source. From several
         sources, also the borders of their Voronoi regions: the ridge of the field. Exact where it crosses edges; in a
-        face straight, as it is unless a path has turned, and up to three lines and more that meet in one point. Lines
-        around a region within one face may be missing. On a polyhedron it has a line to each convex vertex, along which
-        directions hardly differ where that stands for a smooth surface: `min_angle` leaves these out.
+        face straight, as it is unless a path has turned. On a polyhedron it has a line to each convex vertex, along
+        which directions hardly differ where that stands for a smooth surface: `min_angle` leaves these out.
 
         Parameters
         ----------

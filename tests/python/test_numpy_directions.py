@@ -399,6 +399,31 @@ def test_the_cut_locus_of_a_tube_is_the_line_opposite():
         surface.cut_locus([])
 
 
+def test_many_sources_in_one_face_have_their_voronoi_diagram():
+    spatial = pytest.importorskip("scipy.spatial")
+    corners = np.array([[0, 0, 0], [5, 0, 0], [1, 4, 0]], float)
+    surface = vorogeo.Surface(corners, [[0, 1, 2]])
+    weights = np.random.default_rng().dirichlet([1, 1, 1], 200)
+    places = weights @ corners
+    locus = surface.cut_locus(vorogeo.SurfacePoints(np.full(200, 0), weights))
+    # Nodes of the diagram: its vertices inside the face.
+    diagram = spatial.Voronoi(places[:, :2])
+    other = np.linalg.solve(
+        np.vstack([corners[:, :2].T, [1, 1, 1]]), np.vstack([diagram.vertices.T, np.ones(len(diagram.vertices))])
+    )
+    inside = diagram.vertices[(other > 0).all(axis=0)]
+    degree = np.bincount(locus.edges.ravel(), minlength=len(locus.points))
+    nodes = locus.points[degree > 2, :2]
+    assert len(nodes) == len(inside)
+    off, _ = spatial.KDTree(nodes).query(inside)
+    assert off.max() < 1e-7
+    # Two sources are equally near along all its lines.
+    along = np.concatenate([locus.points, locus.points[locus.edges].mean(axis=1)])
+    distance, _ = spatial.KDTree(places).query(along, k=2)
+    np.testing.assert_allclose(distance[:, 0], distance[:, 1], atol=1e-9)
+    np.testing.assert_allclose(distance[: len(locus.points), 0], locus.distance, atol=1e-9)
+
+
 def apart():
     """Two sheets of so many vertices, behind them a vertex without faces and the corners of a face without area."""
     vertices, faces = plane_grid(9, 7, 1.6, 1.2)

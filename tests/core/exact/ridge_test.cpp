@@ -258,6 +258,119 @@ TEST_F(RidgeOf, RegularGridsWithBordersLeaveADiskForEach) {
   }
 }
 
+/// Where three sources are as near as none else, in the plane.
+std::vector<Point> voronoi_vertices(const std::vector<Point>& sources) {
+  std::vector<Point> found;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      for (std::size_t k = 0; k < j; ++k) {
+        const Point u = minus(sources[j], sources[i]), v = minus(sources[k], sources[i]);
+        const double twice = 2.0 * (u[0] * v[1] - u[1] * v[0]);
+        const Point centre{sources[i][0] + (v[1] * dot(u, u) - u[1] * dot(v, v)) / twice,
+                           sources[i][1] + (u[0] * dot(v, v) - v[0] * dot(u, u)) / twice, 0.0};
+        const double radius = distance_between(centre, sources[i]);
+        if (std::ranges::none_of(sources, [&](const Point& other) {
+              return distance_between(other, centre) < radius * (1.0 - 1e-9);
+            }))
+          found.push_back(centre);
+      }
+    }
+  }
+  return found;
+}
+
+TEST_F(RidgeOf, SourcesWithinAFaceHaveTheirVoronoiDiagram) {
+  // One face of a plane: alone, and among others with sources as well.
+  const test::Soup one{{{0.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {0.7, 2.0, 0.0}}, {{0, 1, 2}}};
+  const test::Soup among{{{0.0, 0.0, 0.0},
+                          {3.0, 0.0, 0.0},
+                          {0.7, 2.0, 0.0},
+                          {-2.0, -1.0, 0.0},
+                          {5.0, -1.0, 0.0},
+                          {0.7, 4.0, 0.0}},
+                         {{0, 1, 2}, {0, 3, 1}, {3, 4, 1}, {1, 4, 5}, {1, 5, 2}, {2, 5, 0}, {5, 3, 0}}};
+  for (const bool is_alone : {true, false}) {
+    const auto mesh = test::make_mesh(is_alone ? one : among);
+    for (const int count : {2, 5, 12, 40}) {
+      for (const bool is_ring : {false, true}) {
+        std::vector<SurfacePoint> sources;
+        std::vector<Point> places;
+        const auto add = [&](Index face, double a, double b) {
+          sources.push_back(SurfacePoint::in_face(face, {1.0 - a - b, a, b}));
+          places.push_back(position_of(*mesh, sources.back()));
+        };
+        // A ring round a source, far from the border, so that its region is; or anywhere.
+        for (int k = 0; k < count; ++k) {
+          const double turn = 2.0 * pi * (k + random_.uniform(0.0, 0.4)) / count;
+          const double a = random_.uniform(0.0, 1.0), b = random_.uniform(0.0, 1.0);
+          if (is_ring) {
+            add(0, 0.33 + 0.05 * std::cos(turn), 0.33 + 0.05 * std::sin(turn));
+          } else {
+            add(0, std::min(a, 1.0 - b), std::min(b, 1.0 - a));
+          }
+        }
+        if (is_ring) add(0, 0.33, 0.33);
+        add(0, random_.uniform(0.3, 0.7), 0.0);  // on a side
+        if (!is_alone) add(static_cast<Index>(random_.between(1, 6)), random_.uniform(0.2, 0.4), 0.3);
+        const std::string name = "seed " + std::to_string(seed_) + " " + std::to_string(is_alone) +
+                                 std::to_string(is_ring) + " " + std::to_string(count);
+        const Ridge ridge = ridge_from(mesh, sources);
+        expect_disks(*mesh, ridge, sources);
+        const auto degree = degrees(ridge);
+        std::vector<Point> meetings;
+        for (std::size_t p = 0; p < degree.size(); ++p) {
+          const Point place = position_of(*mesh, ridge.points[p]);
+          std::vector<double> distance;
+          for (const Point& source : places) distance.push_back(distance_between(source, place));
+          std::ranges::sort(distance);
+          EXPECT_NEAR(ridge.distance[p], distance[0], 1e-9) << name;
+          EXPECT_NEAR(distance[1], distance[0], 1e-9) << name;
+          if (degree[p] > 2) meetings.push_back(place);
+        }
+        std::size_t inside = 0;
+        const SurfaceLocator locator(mesh);
+        for (const Point& vertex : voronoi_vertices(places)) {
+          if (locator.nearest(vertex).distance > 1e-9) continue;
+          ++inside;
+          EXPECT_TRUE(std::ranges::any_of(meetings, [&](const Point& meeting) {
+            return distance_between(meeting, vertex) < 1e-7;
+          })) << name;
+        }
+        EXPECT_EQ(meetings.size(), inside) << name;
+      }
+    }
+  }
+}
+
+TEST_F(RidgeOf, SourcesWithinAFaceHaveTheirVoronoiDiagramInAMetric) {
+  // Of one face by the lengths of its sides, without positions.
+  const std::vector<Point> corners{{0.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {0.7, 2.0, 0.0}};
+  const test::Soup soup{corners, {{0, 1, 2}}};
+  const auto in_space = test::make_mesh(soup);
+  const SideLengths sides{{2.0 * distance_between(corners[1], corners[2]),
+                           2.0 * distance_between(corners[2], corners[0]),
+                           2.0 * distance_between(corners[0], corners[1])}};
+  const auto by_lengths =
+      std::make_shared<const Mesh>(std::vector<Point>(3, no_position), soup.faces, Metric(sides));
+  std::vector<SurfacePoint> sources;
+  for (int k = 0; k < 12; ++k) {
+    const double turn = 2.0 * pi * (k + random_.uniform(0.0, 0.4)) / 12.0;
+    const double a = k < 10 ? 0.3 + 0.2 * std::cos(turn) : random_.uniform(0.2, 0.4),
+                 b = k < 10 ? 0.3 + 0.2 * std::sin(turn) : random_.uniform(0.2, 0.4);
+    sources.push_back(SurfacePoint::in_face(0, {1.0 - a - b, a, b}));
+  }
+  const Ridge ridge = ridge_from(in_space, sources), twice = ridge_from(by_lengths, sources);
+  ASSERT_EQ(twice.points.size(), ridge.points.size());
+  EXPECT_EQ(twice.edges.size(), ridge.edges.size());
+  for (std::size_t p = 0; p < ridge.points.size(); ++p) {
+    const bool is_there = std::ranges::any_of(twice.points, [&](const SurfacePoint& point) {
+      return distance_between(position_of(*in_space, point), position_of(*in_space, ridge.points[p])) < 1e-9;
+    });
+    EXPECT_TRUE(is_there) << "seed " << seed_;
+  }
+  EXPECT_NEAR(std::ranges::max(twice.distance), 2.0 * std::ranges::max(ridge.distance), 1e-9);
+}
+
 TEST_F(RidgeOf, ComponentsHaveTheirOwn) {
   const test::Soup grid = test::plane_grid(6, 6, 6.0, 6.0).soup;
   const auto count = static_cast<Index>(grid.positions.size());
