@@ -40,7 +40,7 @@ class Means(Tasks):
         Returns
         -------
         SurfacePoints
-            One point.
+            One point; on the bridge over a gap, its face is -1.
 
         Notes
         -----

@@ -148,6 +148,8 @@ def _face_ids(name: str, value: ArrayLike) -> NDArray[np.int32]:
     bad = (array < 0) | (array > np.iinfo(np.int32).max)
     if array.ndim != 1 or bad.any():
         found = f"shape {array.shape}" if array.ndim != 1 else f"face {int(array[bad][0])}"
+        if found == "face -1":
+            found += " (a point on the bridge over a gap is in no face)"
         raise InvalidInput(f"{name}: has {found}; give {wanted}.")
     return np.ascontiguousarray(array, dtype=np.int32)
 

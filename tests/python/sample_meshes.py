@@ -58,6 +58,38 @@ def cube() -> Mesh:
     return corners, np.array(faces, dtype=np.int32)
 
 
+def sphere(levels: int) -> Mesh:
+    """A unit sphere: an octahedron whose faces are divided into four so many times."""
+    vertices = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], dtype=float)
+    faces = np.array([[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]])
+    for _ in range(levels):
+        edges = np.sort(np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
+        unique, number = np.unique(edges, axis=0, return_inverse=True)
+        ab, bc, ca = len(vertices) + number.reshape(3, -1)
+        middle = vertices[unique].sum(axis=1)
+        vertices = np.vstack([vertices, middle / np.linalg.norm(middle, axis=1)[:, None]])
+        a, b, c = faces.T
+        faces = np.vstack([np.column_stack(f) for f in ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))])
+    return vertices, faces
+
+
+def torus(around: int, across: int) -> Mesh:
+    """Of radii 2 and 0.8, by triangles that are nearly equilateral."""
+    i, j = (k.ravel() for k in np.meshgrid(np.arange(around), np.arange(across), indexing="ij"))
+    a, b = 2 * np.pi * (i + 0.5 * (j % 2)) / around, 2 * np.pi * j / across
+    out = 2 + 0.8 * np.cos(b)
+    vertices = np.column_stack([out * np.cos(a), out * np.sin(a), 0.8 * np.sin(b)])
+
+    def at(x: NDArray[np.int64], y: NDArray[np.int64]) -> NDArray[np.int64]:
+        return x % around * across + y % across
+
+    even, here, above, right = j % 2 == 0, at(i, j), at(i, j + 1), at(i + 1, j)
+    far = at(i + 1, j + 1)
+    faces = [np.column_stack([here, right, np.where(even, above, far)])]
+    faces.append(np.column_stack([np.where(even, right, here), far, above]))
+    return vertices, np.vstack(faces).astype(np.int32)
+
+
 def side_by_side(first: Mesh, second: Mesh, gap: float = 10.0) -> Mesh:
     """Both meshes as two components; the vertices of the first come first."""
     vertices = np.vstack([first[0], second[0] + [gap, 0, 0]])

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import vorogeo
 
-from sample_meshes import bent_grid, cube, plane_grid, prism, real_mesh, side_by_side
+from sample_meshes import bent_grid, cube, plane_grid, prism, real_mesh, side_by_side, sphere, torus
 
 
 def in_space(frame, vectors):
@@ -514,3 +514,36 @@ def test_texture_coordinates_of_a_plane_are_the_picture_itself():
     ]:
         with pytest.raises(vorogeo.InvalidInput, match=message):
             surface.texture_coordinates(30, **wrong)
+
+
+@pytest.mark.parametrize("shape", ["sphere", "ellipsoid", "torus"])
+def test_on_smooth_meshes_vectors_are_those_of_potpourri3d(shape):
+    """Its frames and lines to rounding; its maps and carried vectors up to its errors, from the heat method."""
+    potpourri3d = pytest.importorskip("potpourri3d")
+    vertices, faces = torus(48, 24) if shape == "torus" else sphere(4)
+    if shape == "ellipsoid":
+        vertices = vertices * [1, 0.8, 1.3]
+    surface = vorogeo.Surface(vertices, faces)
+    solver, tracer = potpourri3d.MeshVectorHeatSolver(vertices, faces), potpourri3d.GeodesicTracer(vertices, faces)
+    x, y, normal = solver.get_tangent_frames()
+    frames = surface.tangent_frames(np.arange(len(vertices)))
+    np.testing.assert_allclose(frames, np.stack([x, y, normal], axis=1), atol=1e-12)
+    random = np.random.default_rng()
+    point = int(random.integers(len(vertices)))
+    vectors, distance = surface.log_map(point, return_distance=True)
+    near = (distance > 0.1) & (distance < 1)
+
+    def median_turn(ours, theirs):
+        a, b = ((v @ [1, 1j])[near] for v in (ours, theirs))
+        return np.degrees(np.median(np.abs(np.angle(a / b))))
+
+    theirs = solver.compute_log_map(point, "AffineLocal")
+    assert median_turn(vectors, theirs) < 1
+    np.testing.assert_allclose(np.linalg.norm(theirs, axis=1)[near], distance[near], rtol=0.05)
+    turn = random.uniform(0, 2 * np.pi)
+    vector = np.array([np.cos(turn), np.sin(turn)])
+    carried = surface.transport_from(point, vector)
+    assert median_turn(carried, solver.transport_tangent_vector(point, vector)) < 1.5
+    (end,) = surface.exp_map(point, 0.9 * vector).positions(vertices, faces)
+    traced = tracer.trace_geodesic_from_vertex(point, 0.9 * vector @ np.array([x[point], y[point]]))[-1]
+    np.testing.assert_allclose(end, traced, atol=1e-9)

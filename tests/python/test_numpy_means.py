@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import vorogeo
 
-from sample_meshes import bent_grid, cube, plane_grid, prism, real_mesh, side_by_side
+from sample_meshes import bent_grid, cube, plane_grid, prism, real_mesh, side_by_side, sphere
 
 
 def on_plane(seed, count, columns=9, rows=7):
@@ -184,20 +184,6 @@ def test_on_a_sphere_the_mean_is_that_of_a_symmetric_set():
         assert np.linalg.norm(position(surface, find(surface.snap(ring))) - pole) < 0.02
 
 
-def sphere(levels):
-    vertices = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], dtype=float)
-    faces = np.array([[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]])
-    for _ in range(levels):
-        edges = np.sort(np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
-        unique, number = np.unique(edges, axis=0, return_inverse=True)
-        ab, bc, ca = len(vertices) + number.reshape(3, -1)
-        middle = vertices[unique].sum(axis=1)
-        vertices = np.vstack([vertices, middle / np.linalg.norm(middle, axis=1)[:, None]])
-        a, b, c = faces.T
-        faces = np.vstack([np.column_stack(f) for f in ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))])
-    return vertices, faces
-
-
 @pytest.mark.parametrize("seed", [1, 2])
 def test_the_medoid_is_that_of_the_distance_matrix(seed):
     vertices, faces = bent_grid(25, 21)
@@ -336,6 +322,12 @@ def test_means_with_a_metric_and_over_a_gap():
     one = plane_grid(5, 5)
     parted = vorogeo.Surface(np.vstack([one[0], one[0] + [1.01, 0, 0]]), np.vstack([one[1], one[1] + 25]), gap=0.02)
     np.testing.assert_allclose(position(parted, parted.frechet_mean([12, 37, 38])), [3.77 / 3, 0.5, 0], atol=1e-9)
+    middle = parted.frechet_mean([12, 37])  # on the bridge
+    assert middle.faces.tolist() == [-1]
+    with pytest.raises(vorogeo.InvalidInput, match="a point on the bridge over a gap is in no face"):
+        position(parted, middle)
+    with pytest.raises(vorogeo.InvalidInput, match="a point on the bridge over a gap is in no face"):
+        parted.points_along(parted.path(3, 40), 0.5)
 
 
 @pytest.mark.parametrize(
