@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Builds a wheel for another system inside a Debian root that has a compiler for that, and wine or qemu to load what it compiled.
 #
-# Usage: build_cross.sh windows|aarch64 VERSION       run by build_wheels.sh --platform windows|aarch64
+# Usage: build_cross.sh windows|aarch64 VERSION HOSTS       run by build_wheels.sh --platform windows|aarch64
 set -euo pipefail
-system="$1" version="$2"
+system="$1" version="$2" hosts="$3"
 cd /project/build/wheels
 tools=/opt/vorogeo-tools
 [ -x "$tools/bin/wheel" ] || {
@@ -20,15 +20,15 @@ case "$system" in
     tag=win_amd64 ;;
   aarch64)
     export VOROGEO_AARCH64=/opt/aarch64
-    /project/pyfilter/wheels/obtain_aarch64_python.sh "$VOROGEO_AARCH64"
-    there() { qemu-aarch64-static -L "$VOROGEO_AARCH64" "$VOROGEO_AARCH64/usr/bin/python3.11" "$@"; }
+    /project/pyfilter/wheels/obtain_aarch64.sh "$VOROGEO_AARCH64"
+    there() { qemu-aarch64-static "$VOROGEO_AARCH64/usr/bin/python3.11" "$@"; }
     tag=manylinux_2_36_aarch64 ;;  # tests/wheels compares it with the symbols: auditwheel knows its own system only
 esac
 
 rm -rf "raw-$system" "unpacked-$system" "build-$system"  # files of an archive have its time
 mkdir -p "unpacked-$system/source"
 tar -x -f "dist/vorogeo-$version.tar.gz" -C "unpacked-$system/source" --strip-components=1
-python -m build --wheel --no-isolation --outdir "raw-$system" -C "build-dir=$PWD/build-$system" -C cmake.define.VOROGEO_HOSTS= \
+python -m build --wheel --no-isolation --outdir "raw-$system" -C "build-dir=$PWD/build-$system" -C "cmake.define.VOROGEO_HOSTS=$hosts" \
   -C "cmake.define.CMAKE_TOOLCHAIN_FILE=$PWD/unpacked-$system/source/pyfilter/cmake/$system.cmake" "unpacked-$system/source"
 python -m wheel tags --remove --platform-tag "$tag" "raw-$system"/*.whl
 python -m wheel unpack --dest "unpacked-$system" "raw-$system"/*.whl

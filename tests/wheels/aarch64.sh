@@ -18,5 +18,5 @@ tests/roots/in_root.sh build/roots/builder-aarch64 bash -euo pipefail -c '
   cd /project
   /opt/vorogeo-tools/bin/pip install -q --target /tmp/site --only-binary :all: --python-version 3.11 \
     --platform manylinux_2_36_aarch64 --platform manylinux_2_28_aarch64 --platform manylinux2014_aarch64 numpy pytest meshio "build/wheels/dist/$1"
-  PYTHONPATH=/tmp/site qemu-aarch64-static -L /opt/aarch64 /opt/aarch64/usr/bin/python3.11 -m pytest -q -rs -p no:cacheprovider "${@:2}"
+  PYTHONPATH=/tmp/site qemu-aarch64-static /opt/aarch64/usr/bin/python3.11 -m pytest -q -rs -p no:cacheprovider "${@:2}"
 ' aarch64 "${wheel##*/}" "$@"
