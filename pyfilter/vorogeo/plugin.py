@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import importlib.util
 import os
+import platform
 import re
 import threading
 import warnings
@@ -71,6 +72,10 @@ def plugin_file(pymeshlab_version: str) -> Path:
 
     If there is none, the message of the PluginError says what to do.
     """
+    if platform.system() != "Linux":
+        raise PluginError(
+            f"The VoroGeo filters exist for PyMeshLab on Linux only, not on {platform.system()}. {_NUMPY_PART}"
+        )
     host = meshlab_version(pymeshlab_version)
     if host not in SUPPORTED:
         *others, latest = SUPPORTED
@@ -97,7 +102,7 @@ def meshlab_version(pymeshlab_version: str) -> str | None:
 
 def load_on_import() -> None:
     """What ``import vorogeo`` does: load the filters if PyMeshLab is there; a failure is a warning."""
-    if importlib.util.find_spec("pymeshlab") is None:
+    if platform.system() != "Linux" or importlib.util.find_spec("pymeshlab") is None:
         return
     try:
         load_plugin()

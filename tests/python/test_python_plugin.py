@@ -71,6 +71,15 @@ def test_a_plugin_left_out_of_the_build_is_explained(monkeypatch, tmp_path, vers
     assert plugin.plugin_file(version) == tmp_path / host / plugin.FILE_NAME
 
 
+@pytest.mark.parametrize("system", ["Windows", "Darwin"])
+def test_other_systems_have_no_filters_which_is_said_to_who_asks(monkeypatch, system):
+    monkeypatch.setattr(plugin.platform, "system", lambda: system)
+    with pytest.raises(vorogeo.PluginError, match=f"on Linux only, not on {system}.*numpy functions") as caught:
+        plugin.plugin_file("2025.7.post1")
+    assert "\n" not in str(caught.value)
+    plugin.load_on_import()  # without a warning at each start
+
+
 class FakeHostError(Exception):
     """Stands for PyMeshLabException."""
 
