@@ -83,7 +83,7 @@ def test_program_is_declared(info):
 @ON_LINUX
 def test_binaries_need_the_runtime_and_plugins_also_what_comes_with_pymeshlab(folder):
     found = binaries(folder)
-    assert len(found) >= (1 if "aarch64" in str(WHEEL) else 2)  # there without plugins
+    assert len(found) >= 2
     for file in found:
         needed = set(re.findall(r"NEEDED.*\[(.+)\]", dynamic(file)))
         allowed = RUNTIME if file.name.startswith("_core") else RUNTIME | QT_AND_HOST
@@ -102,8 +102,7 @@ def test_plugins_look_for_libraries_in_pymeshlab_and_the_extension_nowhere(folde
 def test_neither_qt_nor_meshlab_is_inside(folder, info):
     names = (info / "RECORD").read_text().splitlines()
     libraries = {line.split(",")[0] for line in names if re.search(r"\.so(\.|,)", line)}
-    plugins = set() if "aarch64" in str(WHEEL) else {"libfilter_vorogeo"}
-    assert {Path(name).name.split(".")[0] for name in libraries} == {"_core"} | plugins
+    assert {Path(name).name.split(".")[0] for name in libraries} == {"_core", "libfilter_vorogeo"}
     assert len([file for file in folder.rglob("*.so*") if "Qt5" in file.name]) == 0 or WHEEL is None
 
 
