@@ -19,4 +19,6 @@ field = surface.signed_distance(curve)
 print(f"{surface.last.seconds:.2f} s for distances from a curve of length {curve.length:.4g}")
 print(f"{np.sum(field < 0)} vertices inside, the deepest at {field.min():.3g}")
 offsets = surface.isolines(field, 0.025 * size * np.arange(-3, 8), "linear")
-picture.draw("samples/out/signed_distance.png", vertices, faces, values=np.abs(field), lines=offsets)
+# Red inside, green on the curve, blue outside.
+shown = np.where(field < 0, field / -field.min(), field / field.max())
+picture.draw("samples/out/signed_distance.png", vertices, faces, values=shown, lines=offsets)
