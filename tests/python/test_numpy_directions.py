@@ -516,6 +516,112 @@ def test_texture_coordinates_of_a_plane_are_the_picture_itself():
             surface.texture_coordinates(30, **wrong)
 
 
+def test_moved_turned_scaled_and_renumbered_all_directions_are_the_same():
+    random = np.random.default_rng()
+    vertices, faces = bent_grid(13, 11)
+    vertices = vertices + random.uniform(-0.01, 0.01, vertices.shape)
+    turn = np.linalg.qr(random.normal(size=(3, 3)))[0]
+    turn *= np.linalg.det(turn)
+    scale, order = 10 ** random.uniform(-3, 3), random.permutation(len(vertices))
+    number = np.argsort(order)  # by vertex, the new one
+    rows = random.permutation(len(faces))
+    corners = (np.arange(3) + random.integers(3, size=(len(faces), 1))) % 3
+    renumbered = np.take_along_axis(number[faces], corners, axis=1)[rows]
+    one = vorogeo.Surface(vertices, faces)
+    other = vorogeo.Surface((scale * vertices @ turn.T + random.normal(size=3))[order], renumbered)
+    point = int(random.integers(len(vertices)))
+    there = int(number[point])
+    axes = one.tangent_frames(np.arange(len(vertices)))
+    new_axes = other.tangent_frames(number)  # by the old number
+    np.testing.assert_allclose(axes[:, 2] @ turn.T, new_axes[:, 2], atol=1e-9)
+
+    def same(vectors, others, lengths=1.0):
+        """In space, but for places to which several paths are shortest."""
+        a, b = (np.einsum("nk,nkc->nc", *pair) for pair in ((vectors, axes[:, :2]), (others, new_axes[:, :2])))
+        off = np.linalg.norm(lengths * a @ turn.T - b, axis=1)
+        assert (off[np.isfinite(off)] < 1e-7 * lengths).mean() > 0.97
+        np.testing.assert_array_equal(np.isnan(a), np.isnan(b))
+
+    same(one.gradient(point), other.gradient(there)[number])
+    vector = random.normal(size=2)
+    moved = vector @ axes[point][:2] @ turn.T @ new_axes[point][:2].T
+    same(one.transport_from(point, vector), other.transport_from(there, moved)[number])
+    ours, theirs = one.log_map(point), other.log_map(there)[number]
+    ours, theirs = (v @ a[:2] for v, a in ((ours, axes[point]), (theirs, new_axes[point])))
+    off = np.linalg.norm(scale * ours @ turn.T - theirs, axis=1)
+    assert (off < 1e-7 * scale).mean() > 0.97
+    uv, stretch = one.texture_coordinates(point, 0.6)
+    new_uv, new_stretch = other.texture_coordinates(there, 0.6 * scale)
+    np.testing.assert_allclose(
+        np.linalg.norm(uv - 0.5, axis=1), np.linalg.norm(new_uv[number] - 0.5, axis=1), atol=1e-9
+    )
+    assert (np.abs(stretch[rows] - new_stretch) < 1e-6)[np.isfinite(new_stretch)].mean() > 0.9
+    ring = [29, 35, 113, 107]
+    curve = one.path_through(ring, closed=True)
+    again = other.path_through(number[ring], closed=True)
+    np.testing.assert_allclose(
+        scale * one.signed_distance(curve), other.signed_distance(again)[number], atol=1e-8 * scale
+    )
+    locus, new_locus = one.cut_locus(point), other.cut_locus(there)
+    np.testing.assert_allclose(scale * locus.length, new_locus.length, rtol=1e-6)
+    np.testing.assert_allclose(scale * locus.distance.max(initial=0), new_locus.distance.max(initial=0), rtol=1e-9)
+
+
+@pytest.mark.parametrize("sides", [5, 6, 9])
+def test_at_the_tip_of_a_cone_angles_are_those_of_a_turn(sides):
+    """At the tip of a pyramid or of a saddle (of 9 triangles): polar coordinates with the angle scaled to 2 pi."""
+    radii = np.array([1.0, 2.0, 2.5])
+    angle = 2 * np.pi * np.arange(sides) / sides
+    # Side lengths alone make the cone: each ring a multiple of equilateral triangles with the tip.
+    faces, lengths = [], []
+
+    def at(ring, k):
+        return 0 if ring < 0 else 1 + ring * sides + k % sides
+
+    for k in range(sides):
+        faces.append([0, at(0, k), at(0, k + 1)])
+        lengths.append([1.0, 1.0, 1.0])
+        for ring in range(2):
+            a, b = radii[ring], radii[ring + 1]
+            across = np.sqrt(a * a + b * b - a * b)  # 60 degrees between them
+            faces.append([at(ring, k), at(ring + 1, k), at(ring + 1, k + 1)])
+            lengths.append([b, across, b - a])
+            faces.append([at(ring, k), at(ring + 1, k + 1), at(ring, k + 1)])
+            lengths.append([b - a, a, across])
+    faces, lengths = np.array(faces), np.array(lengths)
+    surface = vorogeo.Surface(None, faces, metric=vorogeo.EdgeLengths(lengths))
+    vector = surface.log_map(0)[1:] @ [1, 1j]
+    expected = (radii[:, None] * np.exp(1j * angle)).ravel()
+    turned = vector / expected
+    np.testing.assert_allclose(turned, turned[0], atol=1e-9)
+    np.testing.assert_allclose(np.abs(turned[0]), 1, rtol=1e-12)
+    np.testing.assert_allclose(surface.exp_map(0, surface.log_map(0)[1:]).barycentric.max(axis=1), 1, atol=1e-9)
+    # From a place on the innermost ring, through the unrolled faces on its side of the tip.
+    seen = np.abs(surface.log_map(1) @ [1, 1j])
+    apart = np.minimum(np.arange(sides), sides - np.arange(sides)) * np.pi / 3
+    for ring, radius in enumerate(radii):
+        straight = np.sqrt(1 + radius**2 - 2 * radius * np.cos(apart))
+        np.testing.assert_allclose(
+            seen[1 + ring * sides : 1 + (ring + 1) * sides],
+            np.where(apart < np.pi, straight, 1 + radius),
+            atol=1e-9,
+        )
+
+
+def test_seen_from_a_pole_a_sphere_has_its_azimuths():
+    vertices, faces = sphere(4)
+    surface = vorogeo.Surface(vertices, faces)
+    pole = int(np.argmax(vertices[:, 2]))
+    vector = surface.log_map(pole) @ [1, 1j]
+    azimuth = vertices[:, 0] + 1j * vertices[:, 1]
+    seen = np.arccos(np.clip(vertices[:, 2], -1, 1))
+    clear = (seen > 0.2) & (seen < 2.8)
+    np.testing.assert_allclose(np.abs(vector[clear]), seen[clear], rtol=0.01)
+    turned = np.angle(vector[clear] / azimuth[clear] * np.conj(vector[clear][0] / azimuth[clear][0]))
+    assert np.degrees(np.abs(turned - np.median(turned))).max() < 5
+    assert np.degrees(np.median(np.abs(turned - np.median(turned)))) < 1
+
+
 @pytest.mark.parametrize("shape", ["sphere", "ellipsoid", "torus"])
 def test_on_smooth_meshes_vectors_are_those_of_potpourri3d(shape):
     """Its frames and lines to rounding; its maps and carried vectors up to its errors, from the heat method."""
