@@ -1,4 +1,4 @@
-"""All vertices in clusters around their means, and some of them around medoids; writes a picture.
+"""All vertices in clusters around their means; writes a picture.
 
 Usage: python samples/clusters.py [MESH]      (needs samples/setup.sh once; writes samples/out/clusters.png)
 """
