@@ -29,7 +29,7 @@ std::shared_ptr<LayerSurface> layer_of(FilterCall& call) {
 void log_warnings(FilterCall& call, LayerSurface& layer) {
   const auto warnings =
       run_ticking(call.progress, "Checking the mesh", [&](const Progress&) { return layer.warnings(); });
-  for (const std::string& warning : warnings) call.log("Mesh: " + warning);
+  for (const std::string& warning : warnings) call.log("Mesh: " + layer.in_host_numbers(warning));
 }
 
 // ---- Builds indexes for filters and logs what was built

@@ -68,7 +68,11 @@ auto ask_surface(FilterCall& call, LayerSurface& layer, const std::string& activ
   if (!had_index) log_warnings(call, layer);
   Answered answered;
   auto found = run_ticking(call.progress, activity, [&](const Progress& progress) {
-    return ask(*layer.surface(), answered, progress);
+    try {
+      return ask(*layer.surface(), answered, progress);
+    } catch (const InvalidInput& error) {
+      throw InvalidInput(layer.in_host_numbers(error.what()));
+    }
   });
   Results about = about_answer(call, layer, had_index, answered);
   return AnswerOfLayer<decltype(found)>{std::move(found), std::move(answered), std::move(about)};

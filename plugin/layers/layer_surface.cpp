@@ -3,6 +3,7 @@
 #include "layers/layer_surface.h"
 
 #include <algorithm>
+#include <regex>
 #include <utility>
 
 #include "mesh/mesh_check.h"
@@ -31,6 +32,24 @@ Index LayerSurface::core_vertex(int host_vertex, const std::string& parameter) c
 HostPlace LayerSurface::host_place(const Mesh& mesh, const SurfacePoint& point) const {
   const Index face = InputMap(mesh).face_at(point);
   return face == no_index ? HostPlace{host_vertex(point.vertex)} : HostPlace{-1, arrays_.input_of_face[face]};
+}
+
+std::string LayerSurface::in_host_numbers(const std::string& sentence) const {
+  static const std::regex numbers(R"(\b(vert|face)(ex|ices|s|) (\d+)(?:( and | to )(\d+))?)");
+  std::string result;
+  auto rest = sentence.begin();
+  for (std::sregex_iterator found(sentence.begin(), sentence.end(), numbers), end; found != end; ++found) {
+    const std::smatch& words = *found;
+    const auto& map = words[1] == "vert" ? arrays_.input_of_vertex : arrays_.input_of_face;
+    const auto host = [&](const std::string& number) {
+      const std::size_t own = std::stoul(number);
+      return own < map.size() ? std::to_string(map[own]) : number;
+    };
+    result.append(rest, words[3].first).append(host(words[3]));
+    if (words[5].matched) result.append(words[4]).append(host(words[5]));
+    rest = words[0].second;
+  }
+  return result.append(rest, sentence.end());
 }
 
 std::shared_ptr<Surface> LayerSurface::known_surface() const {

@@ -80,6 +80,9 @@ class LayerSurface {
     return number < arrays_.input_of_vertex.size() ? arrays_.input_of_vertex[number] : -1;
   }
   HostPlace host_place(const Mesh& mesh, const SurfacePoint& point) const;
+  /// A sentence of the core, which counts vertices and faces without those that are deleted, with the host's
+  /// numbers: those after "vertex", "face" and their plurals.
+  std::string in_host_numbers(const std::string& sentence) const;
   /// The host's number of a face of mesh(). \pre It is not a bridge over a gap.
   int host_face(const Mesh& mesh, Index face) const { return arrays_.input_of_face[mesh.input_face(face)]; }
 

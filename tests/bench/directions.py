@@ -119,7 +119,7 @@ class Comparison:
         in_space = steps @ np.array([x[source], y[source]])
         theirs, traced = timed(lambda: [self.tracer.trace_geodesic_from_vertex(source, step)[-1] for step in in_space])
         same = np.linalg.norm(ends.positions(vertices, faces) - traced, axis=1) <= BACK * length
-        carry = [timed(lambda source=source: self.carried(source)) for source in self.sources]
+        carry = [timed(lambda source=source: self.surface.transport_from(source, [1, 0])) for source in self.sources]
         heat = [
             timed(lambda source=source: self.heat.transport_tangent_vector(source, [1, 0])) for source in self.sources
         ]
@@ -130,13 +130,6 @@ class Comparison:
             tables.number(100 * float(same.mean())),
         ]
         return [self.name, *figures, seconds_of(carry), seconds_of(heat), tables.number(float(np.nanmedian(off)))]
-
-    def carried(self, source: int) -> Vectors:
-        """The x axis of a vertex, carried to all: it keeps its angle with the shortest path."""
-        first, last = (as_complex(v) for v in (self.surface.log_map(source), self.surface.gradient([source])))
-        with np.errstate(invalid="ignore", divide="ignore"):
-            vector = last * np.abs(first) / first
-        return np.column_stack([vector.real, vector.imag])
 
 
 def timed(ask: Callable[[], Any]) -> tuple[float, Any]:

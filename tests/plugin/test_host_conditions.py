@@ -11,6 +11,7 @@ from support import (
     COMPARISON,
     CUT,
     CUT_CURVE,
+    DIRECTIONS,
     EXACT_FROM_POINT,
     EXACT_FROM_SELECTION,
     FROM_BORDER,
@@ -22,6 +23,7 @@ from support import (
     INDEX,
     LOAD_INDEX,
     LOOP,
+    MEAN,
     NEAREST,
     PATCHES,
     POLYGON,
@@ -175,6 +177,21 @@ def test_not_finite_vertex_is_named_by_its_number_in_the_host():
     vertices[9] = np.nan
     with pytest.raises(Exception, match="Vertex 9 has a coordinate"):
         mesh_set(vertices, faces).apply_filter("probe_apply", filter=FROM_POINT, deleted_vertices="1;2")
+
+
+def test_places_that_the_core_names_have_the_numbers_of_the_host():
+    """Two squares that have vertex 2 in common, and apart from them a triangle; before these, deleted elements."""
+    vertices = [[9, 9, 9], [8, 8, 8], [0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [-1, 0, 0], [-1, -1, 0], [0, -1, 0]]
+    vertices += [[5, 0, 0], [6, 0, 0], [5, 1, 0]]
+    faces = [[0, 1, 2], [2, 3, 4], [2, 4, 5], [2, 6, 7], [2, 7, 8], [9, 10, 11]]
+    for name, numbers, selected, message in [
+        (DIRECTIONS, "vertex_index=2", [3], "There are no directions at vertex 2: its faces"),
+        (MEAN, "", [3, 10], "from point 0 \\(vertex 3\\) to point 1 \\(vertex 10\\)"),
+    ]:
+        ms = mesh_set(np.array(vertices, dtype=float), np.array(faces, dtype=np.int32))
+        select_vertices(ms, selected)
+        with pytest.raises(Exception, match=message):
+            ms.apply_filter("probe_apply", filter=name, numbers=numbers, deleted_vertices="0;1")
 
 
 @pytest.mark.parametrize("name", [INDEX, FROM_POINT, EXACT_FROM_POINT, COMPARISON])
