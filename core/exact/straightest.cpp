@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "exact/edge_axes.h"
 #include "support/progress.h"
 
 namespace vorogeo {
@@ -15,6 +16,8 @@ namespace {
 
 /// A line that passes a vertex this close, relative to the shortest edge around, passes through it.
 constexpr double through_vertex = 1e-12;
+/// Lines that glide in turns: while one waits for what is behind a face, the others go on.
+constexpr std::size_t lines_side_by_side = 8;
 /// Of directions, in radians.
 constexpr double angle_rounding = 1e-15;
 /// Directions this far outside all faces, in radians, are along the border.
@@ -24,32 +27,83 @@ using Weights = std::array<double, 3>;
 
 class Line {
  public:
-  Line(const ExactGeometry& geometry, AtBorder at_border, double length)
-      : geometry_(geometry), mesh_(*geometry.mesh), at_border_(at_border), left_(length) {}
+  Line(const ExactGeometry& geometry, const FaceSteps::Step* steps, AtBorder at_border, double length)
+      : geometry_(&geometry),
+        mesh_(geometry.mesh.get()),
+        steps_(steps),
+        at_border_(at_border),
+        left_(length) {}
 
-  SurfacePoint run(const TangentFrame& frame, double angle) {
+  void begin(const TangentFrame& frame, double angle) {
     end_ = frame.point();
     leave(frame, angle);
+  }
+  /// To the end of the line, or to where it glides. \return whether it does.
+  bool walk_on() {
     for (int step = 1; !is_done_; ++step) {
       if (step % 256 == 0) checkpoint();
       if (vertex_frame_) {
         const TangentFrame here = *std::exchange(vertex_frame_, std::nullopt);
         leave(here, onwards_);
+      } else if (steps_ != nullptr && begin_to_glide()) {
+        return true;
       } else {
         cross();
       }
     }
-    return validated(mesh_, end_);
+    return false;
   }
+  SurfacePoint end() const { return validated(*mesh_, end_); }
   /// What was not walked.
   double left() const { return left_; }
 
+  // A line glides through faces that need no care: none is its last one, it comes near no vertex there, and
+  // behind each side is one more face, oriented alike. It is followed in the plane where it is the x axis.
+
+  /// Through one face. \return false if that needs care; it is not crossed then.
+  bool glide() {
+    const FaceSteps::Step& step = steps_[halfedge_];
+    const PlanePoint to_apex{step.from_tail * way_[0] - step.depth * way_[1],
+                             step.from_tail * way_[1] + step.depth * way_[0]};
+    const double apex = tail_ + to_apex[1];
+    const bool is_left = apex > 0.0;
+    const Index next = step.behind[is_left ? 1 : 0];
+    if (next == no_index) return false;
+    prefetch_line(&steps_[next]);
+    const PlanePoint next_way = is_left ? PlanePoint{step.from_head * way_[0] + step.depth * way_[1],
+                                                     step.from_head * way_[1] - step.depth * way_[0]}
+                                        : to_apex;
+    const double next_forth = is_left ? forth_ + to_apex[0] : forth_;
+    const double next_squared = dot_in_plane(next_way, next_way);
+    if (apex * apex <= through_vertex * through_vertex * std::min(squared_, next_squared)) return false;
+    if (!(std::max(next_forth, next_forth + next_way[0]) < left_)) {
+      steps_ = nullptr;
+      return false;
+    }
+    (is_left ? tail_ : head_) = apex;
+    way_ = next_way;
+    forth_ = next_forth;
+    squared_ = next_squared;
+    halfedge_ = next;
+    return true;
+  }
+
+  /// Through the face that needs care.
+  void stop_gliding() {
+    const double part = tail_ / (tail_ - head_), size = std::sqrt(squared_), length = length_of(halfedge_);
+    const bool is_forth = geometry_->frame[halfedge_].along;
+    edge_ = {mesh_->next_around_edge(halfedge_), length, length * (is_forth ? part : 1.0 - part),
+             (is_forth ? way_[0] : -way_[0]) / size, -way_[1] / size};
+    left_ -= forth_ + part * way_[0];
+    cross();
+  }
+
  private:
-  double length_of(Index halfedge) const { return mesh_.edge_length(mesh_.edge_of(halfedge)); }
+  double length_of(Index halfedge) const { return mesh_->edge_length(mesh_->edge_of(halfedge)); }
 
   Weights on_edge(Index halfedge, double x) const {
     const double second = std::clamp(x / length_of(halfedge), 0.0, 1.0);
-    const bool along = geometry_.frame[halfedge].along;
+    const bool along = geometry_->frame[halfedge].along;
     Weights weights{};
     weights[halfedge % 3] = along ? 1.0 - second : second;
     weights[Mesh::next_in_face(halfedge) % 3] = along ? second : 1.0 - second;
@@ -94,7 +148,7 @@ class Line {
     const Index face = Mesh::face_of(h);
     const double length = length_of(h);
     Weights from{};
-    weights_in_face(mesh_, frame.point(), face, from);
+    weights_in_face(*mesh_, frame.point(), face, from);
     // How far the line passes from the ends of the edge, and how far these are along it.
     std::array<double, 2> to_end{}, aside{}, along{};
     const double rounding = angle_rounding * std::max(1.0, std::abs(direction));
@@ -108,7 +162,7 @@ class Line {
     const double near = through_vertex * std::min({length, to_end[0], to_end[1]});
     const int nearer = aside[1] < aside[0] ? 1 : 0;
     if (aside[nearer] <= near && along[nearer] >= 0.0) {
-      return reach(geometry_.ends(mesh_.edge_of(h))[nearer], face, from, along[nearer]);
+      return reach(geometry_->ends(mesh_->edge_of(h))[nearer], face, from, along[nearer]);
     }
     const double both = aside[0] + aside[1];
     const double x = both > 0.0 ? length * (aside[0] / both) : std::clamp(into->x, 0.0, length);
@@ -118,26 +172,41 @@ class Line {
     edge_ = {h, length, x, std::sin(slope), std::cos(slope)};
   }
 
+  /// \return whether there is one more face behind the edge, oriented alike or not, and the line passes
+  /// between its ends.
+  bool begin_to_glide() {
+    halfedge_ = mesh_->next_around_edge(edge_.halfedge);
+    if (halfedge_ == edge_.halfedge || mesh_->next_around_edge(halfedge_) != edge_.halfedge) return false;
+    const bool is_forth = geometry_->frame[halfedge_].along;
+    way_ = {(is_forth ? edge_.along : -edge_.along) * edge_.length, -edge_.across * edge_.length};
+    const double share = (is_forth ? edge_.x : edge_.length - edge_.x) / edge_.length;
+    tail_ = -share * way_[1];
+    head_ = (1.0 - share) * way_[1];
+    forth_ = -share * way_[0];
+    squared_ = edge_.length * edge_.length;
+    return tail_ > 0.0 && head_ < 0.0;
+  }
+
   /// Through the face behind the edge.
   void cross() {
-    const Index h = mesh_.next_around_edge(edge_.halfedge);
-    if (h == edge_.halfedge || mesh_.next_around_edge(h) != edge_.halfedge) {
+    const Index h = mesh_->next_around_edge(edge_.halfedge);
+    if (h == edge_.halfedge || mesh_->next_around_edge(h) != edge_.halfedge) {
       return slide(edge_.halfedge, edge_.x, edge_.along > 0.0);
     }
-    const FaceFrame& frame = geometry_.frame[h];
+    const FaceFrame& frame = geometry_->frame[h];
     const double length = edge_.length;
     const double depth = frame.apex_depth;
     const bool second = (frame.apex_x - edge_.x) * edge_.across < edge_.along * depth;
     // All counts from the vertex that the edge shares with the side by which the line leaves.
     const double x = second ? length - edge_.x : edge_.x;
     const double along = second ? -edge_.along : edge_.along;
-    const double apex_x = second ? geometry_.apex_from_second(h) : frame.apex_x;
+    const double apex_x = second ? geometry_->apex_from_second(h) : frame.apex_x;
     const Index halfedge = second ? frame.second_side(h) : frame.first_side(h);
     const bool is_reversed = second ? frame.second_side_reversed : frame.first_side_reversed;
     const Index face = Mesh::face_of(h);
     const auto from = [&] { return on_edge(h, edge_.x); };
     // On a long edge, positions have their digits at the first end only.
-    const bool from_first = second && geometry_.is_long(mesh_.edge_of(h));
+    const bool from_first = second && geometry_->is_long(mesh_->edge_of(h));
     const double to_apex = from_first ? edge_.x - frame.apex_x : apex_x - x;
     const double shared_aside = x * edge_.across;
     const double apex_aside = std::max(0.0, to_apex * edge_.across - along * depth);
@@ -146,12 +215,12 @@ class Line {
     const double ahead = to_apex * along + depth * edge_.across;
     if (apex_aside <= near && ahead >= 0.0) return reach(frame.apex, face, from(), ahead);
     if (shared_aside <= near && along < 0.0) {
-      return reach(geometry_.ends(mesh_.edge_of(h))[second ? 1 : 0], face, from(), -x * along);
+      return reach(geometry_->ends(mesh_->edge_of(h))[second ? 1 : 0], face, from(), -x * along);
     }
     const double both = shared_aside + apex_aside;
     if (!(both > 0.0)) {  // along the edge
       const int end = edge_.along > 0.0 ? 1 : 0;
-      return reach(geometry_.ends(mesh_.edge_of(h))[end], face, from(), std::abs(end * length - edge_.x));
+      return reach(geometry_->ends(mesh_->edge_of(h))[end], face, from(), std::abs(end * length - edge_.x));
     }
     const double to_side = shared_aside / both;
     const double at = side * (is_reversed ? apex_aside / both : to_side);
@@ -171,17 +240,17 @@ class Line {
         face, distance, [&] { return from; },
         [&] {
           Weights to{};
-          for (int i = 0; i < 3; ++i) to[i] = mesh_.face_vertices(face)[i] == vertex ? 1.0 : 0.0;
+          for (int i = 0; i < 3; ++i) to[i] = mesh_->face_vertices(face)[i] == vertex ? 1.0 : 0.0;
           return to;
         });
     if (is_done_) return;
     end_ = SurfacePoint::at_vertex(vertex);
     // Along a border, a line goes on where that is straight; round its bends only if it slides.
-    const bool bends = mesh_.fan(vertex) == Mesh::Fan::open &&
-                       std::abs(mesh_.total_angle(vertex) - std::numbers::pi) > along_border;
-    is_done_ = !TangentFrame::exists_at(mesh_, vertex) || (bends && at_border_ == AtBorder::end);
+    const bool bends = mesh_->fan(vertex) == Mesh::Fan::open &&
+                       std::abs(mesh_->total_angle(vertex) - std::numbers::pi) > along_border;
+    is_done_ = !TangentFrame::exists_at(*mesh_, vertex) || (bends && at_border_ == AtBorder::end);
     if (is_done_) return;
-    vertex_frame_.emplace(geometry_, SurfacePoint::at_vertex(vertex));
+    vertex_frame_.emplace(*geometry_, SurfacePoint::at_vertex(vertex));
     onwards_ = vertex_frame_->angle_in_face(face, from) + 0.5 * vertex_frame_->full_turn();
   }
 
@@ -191,24 +260,24 @@ class Line {
     if (!point.is_vertex()) {
       Index h = 3 * point.face;
       while (point.barycentric[(h + 2) % 3] > 0.0) ++h;
-      const bool to_head = std::cos(angle - frame.angle_to(point.face, mesh_.head(h))) > 0.0;
-      const bool along = geometry_.frame[h].along;
+      const bool to_head = std::cos(angle - frame.angle_to(point.face, mesh_->head(h))) > 0.0;
+      const bool along = geometry_->frame[h].along;
       const double second = point.barycentric[(along ? h + 1 : h) % 3];
       return slide(h, second * length_of(h), to_head == along);
     }
     // Of the two edges on the border, the first is the x axis; the other one lies half a turn from it.
     const bool to_first = angle > 0.75 * frame.full_turn();
     const Index first = frame.first_halfedge();
-    const Index h = to_first ? first : next_on_border(point.vertex, mesh_.edge_of(first));
-    const bool to_second = geometry_.ends(mesh_.edge_of(h))[0] == point.vertex;
+    const Index h = to_first ? first : next_on_border(point.vertex, mesh_->edge_of(first));
+    const bool to_second = geometry_->ends(mesh_->edge_of(h))[0] == point.vertex;
     slide(h, to_second ? 0.0 : length_of(h), to_second);
   }
 
   /// The other border edge at a vertex, by its half-edge.
   Index next_on_border(Index vertex, Index edge) const {
-    for (const Index corner : mesh_.corners(vertex)) {
+    for (const Index corner : mesh_->corners(vertex)) {
       for (const Index side : {corner, Mesh::previous_in_face(corner)}) {
-        if (mesh_.edge_of(side) != edge && mesh_.is_border_edge(mesh_.edge_of(side))) return side;
+        if (mesh_->edge_of(side) != edge && mesh_->is_border_edge(mesh_->edge_of(side))) return side;
       }
     }
     return no_index;
@@ -219,18 +288,18 @@ class Line {
     end_ = SurfacePoint::in_face(Mesh::face_of(halfedge), on_edge(halfedge, x));
     for (int step = 1; at_border_ == AtBorder::slide; ++step) {
       if (step % 256 == 0) checkpoint();
-      const Index edge = mesh_.edge_of(halfedge);
-      const double length = mesh_.edge_length(edge);
+      const Index edge = mesh_->edge_of(halfedge);
+      const double length = mesh_->edge_length(edge);
       const double to = to_second ? length : 0.0;
       walk(
           Mesh::face_of(halfedge), std::abs(to - x), [&] { return on_edge(halfedge, x); },
           [&] { return on_edge(halfedge, to); });
-      const Index vertex = geometry_.ends(edge)[to_second ? 1 : 0];
+      const Index vertex = geometry_->ends(edge)[to_second ? 1 : 0];
       if (is_done_) return;
       end_ = SurfacePoint::at_vertex(vertex);
-      if (mesh_.fan(vertex) != Mesh::Fan::open) break;
+      if (mesh_->fan(vertex) != Mesh::Fan::open) break;
       halfedge = next_on_border(vertex, edge);
-      to_second = geometry_.ends(mesh_.edge_of(halfedge))[0] == vertex;
+      to_second = geometry_->ends(mesh_->edge_of(halfedge))[0] == vertex;
       x = to_second ? 0.0 : length_of(halfedge);
     }
     is_done_ = true;
@@ -242,8 +311,9 @@ class Line {
     double length, x, along, across;
   };
 
-  const ExactGeometry& geometry_;
-  const Mesh& mesh_;
+  const ExactGeometry* geometry_;
+  const Mesh* mesh_;
+  const FaceSteps::Step* steps_;  ///< null if the line does not glide any more
   AtBorder at_border_;
   double left_;
   bool is_done_ = false;
@@ -251,16 +321,88 @@ class Line {
   OnEdge edge_{};
   std::optional<TangentFrame> vertex_frame_;  ///< where the line has come to a vertex
   double onwards_ = 0.0;                      ///< the angle in which it leaves it
+  // While it glides: into a face by a half-edge, whose tail is to the left of the line, its head to the
+  // right.
+  Index halfedge_ = no_index;
+  PlanePoint way_{};                ///< from tail to head
+  double tail_ = 0.0, head_ = 0.0;  ///< how far to the left they are
+  double forth_ = 0.0;              ///< how far along the line the tail is, from where it began to glide
+  double squared_ = 0.0;            ///< length of the half-edge
 };
 
 }  // namespace
 
+FaceSteps::FaceSteps(const ExactGeometry& geometry) {
+  const Mesh& mesh = *geometry.mesh;
+  step.resize(3 * static_cast<std::size_t>(mesh.face_count()));
+  const auto behind = [&](Index side) {
+    const Index h = mesh.next_around_edge(side);
+    const Index edge = mesh.edge_of(side);
+    const bool is_plain = h != side && mesh.next_around_edge(h) == side && mesh.tail(h) == mesh.head(side) &&
+                          !geometry.is_long(edge) && mesh.edge_length(edge) > 0.0 &&
+                          geometry.frame[h].apex_depth > 0.0;
+    return is_plain ? h : no_index;
+  };
+  for (Index h = 0; h < static_cast<Index>(step.size()); ++h) {
+    if (h % elements_per_checkpoint == 0) checkpoint();
+    const FaceFrame& frame = geometry.frame[h];
+    const double length = mesh.edge_length(mesh.edge_of(h));
+    const double from_first = frame.apex_x / length, from_second = geometry.apex_from_second(h) / length;
+    step[h] = {frame.along ? from_first : from_second,
+               frame.along ? from_second : from_first,
+               frame.apex_depth / length,
+               {behind(Mesh::previous_in_face(h)), behind(Mesh::next_in_face(h))}};
+  }
+}
+
 TracedEnd trace(const TangentFrame& frame, const Tangent& vector, AtBorder at_border) {
   const double length = std::hypot(vector[0], vector[1]);
   if (!(length > 0.0)) return {frame.point(), 0.0};
-  Line line(frame.geometry(), at_border, length);
-  const SurfacePoint end = line.run(frame, frame.angle_of(vector));
-  return {end, length - line.left()};
+  Line line(frame.geometry(), nullptr, at_border, length);
+  line.begin(frame, frame.angle_of(vector));
+  line.walk_on();
+  return {line.end(), length - line.left()};
+}
+
+void trace(std::span<const LineStart> starts, AtBorder at_border, const FaceSteps& steps,
+           std::span<TracedEnd> ends) {
+  struct Traced {
+    Line line;
+    std::size_t number;
+  };
+  std::vector<Traced> gliding;
+  std::size_t next = 0;
+  const auto finish = [&](const Traced& traced) {
+    const Tangent& vector = starts[traced.number].vector;
+    ends[traced.number] = {traced.line.end(), std::hypot(vector[0], vector[1]) - traced.line.left()};
+  };
+  for (int round = 1;; ++round) {
+    if (round % 1024 == 0) checkpoint();
+    while (gliding.size() < lines_side_by_side && next < starts.size()) {
+      const auto& [frame, vector] = starts[next];
+      const double length = std::hypot(vector[0], vector[1]);
+      Traced traced{Line(frame->geometry(), steps.step.data(), at_border, length), next};
+      ends[next++] = {frame->point(), 0.0};
+      if (!(length > 0.0)) continue;
+      traced.line.begin(*frame, frame->angle_of(vector));
+      if (traced.line.walk_on()) {
+        gliding.push_back(std::move(traced));
+      } else {
+        finish(traced);
+      }
+    }
+    if (gliding.empty()) return;
+    for (std::size_t i = 0; i < gliding.size(); ++i) {
+      Line& line = gliding[i].line;
+      if (line.glide()) continue;
+      line.stop_gliding();
+      if (line.walk_on()) continue;
+      finish(gliding[i]);
+      std::swap(gliding[i], gliding.back());
+      gliding.pop_back();
+      --i;
+    }
+  }
 }
 
 }  // namespace vorogeo

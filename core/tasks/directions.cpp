@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -18,6 +19,16 @@ namespace {
 
 /// Lines handed to a thread at a time.
 constexpr std::size_t lines_at_once = 64;
+
+/// Lines that cross so many times the faces of a mesh gain what its FaceSteps take.
+constexpr double crossings_of_steps = 6.0;
+
+/// About so many faces lines along these vectors cross, all together.
+double crossed_faces(const Mesh& mesh, const std::vector<Tangent>& vectors) {
+  double length = 0.0;
+  for (const Tangent& vector : vectors) length += std::hypot(vector[0], vector[1]);
+  return 2.0 * length / mesh.mean_edge_length();
+}
 
 void require_agreeing_around(const LocalGeometry& geometry, const SurfacePoint& point) {
   const Mesh& mesh = *geometry.mesh;
@@ -207,12 +218,22 @@ std::vector<TracedEnd> exp_map(Surface& surface, const PointList& points, const 
   const std::vector<TangentFrame> frames = frames_at(surface, points);
   std::vector<TracedEnd> ends(vectors.size());
   const Stopwatch watch;
+  std::optional<FaceSteps> steps;
+  if (crossed_faces(*surface.mesh(), vectors) > crossings_of_steps * surface.mesh()->face_count())
+    steps.emplace(frames[0].geometry());
   const std::size_t blocks = (vectors.size() + lines_at_once - 1) / lines_at_once;
   parallel_for(blocks, surface.threads(), options.progress, "Tracing lines", [&](std::size_t block, int) {
     const std::size_t end = std::min(vectors.size(), (block + 1) * lines_at_once);
+    std::vector<LineStart> lines;
     for (std::size_t i = block * lines_at_once; i < end; ++i) {
-      ends[i] = trace(frames[frames.size() == 1 ? 0 : i], vectors[i], at_border);
+      const TangentFrame& frame = frames[frames.size() == 1 ? 0 : i];
+      if (steps) {
+        lines.push_back({&frame, vectors[i]});
+      } else {
+        ends[i] = trace(frame, vectors[i], at_border);
+      }
     }
+    if (steps) trace(lines, at_border, *steps, {ends.data() + block * lines_at_once, lines.size()});
   });
   report_exact(options, watch);
   return ends;

@@ -42,6 +42,16 @@ struct From {
   Point end(const Tangent& vector, AtBorder at_border = AtBorder::end) const {
     return position_of(*mesh, trace(frame, vector, at_border).point);
   }
+  /// The same for many lines at a time.
+  std::vector<Point> ends(const std::vector<Tangent>& vectors, AtBorder at_border = AtBorder::end) const {
+    std::vector<LineStart> starts;
+    for (const Tangent& vector : vectors) starts.push_back({&frame, vector});
+    std::vector<TracedEnd> traced(starts.size());
+    trace(starts, at_border, FaceSteps(*geometry), traced);
+    std::vector<Point> positions;
+    for (const TracedEnd& end : traced) positions.push_back(position_of(*mesh, end.point));
+    return positions;
+  }
   /// A vector of the frame in space, where the surface is flat around the point.
   Point in_space(const Tangent& vector) const {
     const auto axes = frame.axes();
@@ -107,13 +117,18 @@ TEST(Directions, OnAPlaneTheyAreStraightLines) {
       const Point at = position_of(*from.mesh, from.point);
       // At a corner of the rectangle, angles are scaled: there, only the way back is tested.
       const bool is_scaled = from.point.is_vertex() && from.frame.full_turn() < 2.0 * pi - 1e-9;
+      std::vector<Tangent> vectors;
       for (Index v = 0; v < from.mesh->vertex_count(); ++v) {
         const Tangent vector = from.log(v);
+        vectors.push_back(vector);
         const Point& there = from.mesh->position(v);
         const std::string where = name(from.point) + " to vertex " + std::to_string(v);
         if (!is_scaled) expect_at(from.in_space(vector), minus(there, at), 1e-12, where);
         expect_at(from.end(vector), there, 1e-12, where);
       }
+      const std::vector<Point> ends = from.ends(vectors);
+      for (std::size_t v = 0; v < ends.size(); ++v)
+        expect_at(ends[v], soup.positions[v], 1e-12, name(from.point) + " together");
       for (const SurfacePoint& other : points) {
         const Point there = position_of(*from.mesh, other);
         const std::string where = name(from.point) + " to " + name(other);
@@ -178,6 +193,7 @@ TEST(Directions, OnATubeALineIsAHelix) {
       const TracedEnd end = trace(from.frame, vector);
       EXPECT_NEAR(end.length, std::hypot(around, up), 1e-12);
       expect_at(position_of(*from.mesh, end.point), {at[0], at[1], 0.5 * height}, 1e-11, name(from.point));
+      expect_at(from.ends({vector})[0], {at[0], at[1], 0.5 * height}, 1e-11, name(from.point) + " together");
     }
   }
 }
@@ -217,6 +233,13 @@ void expect_lines_to_lead_back(const From& from, double tolerance, const std::st
   const Mesh& mesh = *from.mesh;
   int straight = 0;
   const Index step = 1 + mesh.vertex_count() / 1500;  // tracing a path takes longer than its line
+  struct Line {
+    Index vertex;
+    double tolerance;
+    std::string name;
+  };
+  std::vector<Line> lines;
+  std::vector<Tangent> vectors;
   for (Index v = 0; v < mesh.vertex_count(); v += step) {
     if (from.solver.distance(v) == unreachable) {
       EXPECT_TRUE(std::isnan(from.log(v)[0])) << v;
@@ -228,9 +251,14 @@ void expect_lines_to_lead_back(const From& from, double tolerance, const std::st
     const double scale = std::max(from.solver.distance(v), mesh.typical_edge_length());
     // Weights of points on edges to far outliers have no more digits.
     const double rounding = 1e-15 * mesh.longest_edge_length();
-    expect_at(from.end(from.log(v)), mesh.position(v), tolerance * scale + rounding,
-              mesh_name + ", " + name(from.point) + " to vertex " + std::to_string(v));
+    lines.push_back({v, tolerance * scale + rounding,
+                     mesh_name + ", " + name(from.point) + " to vertex " + std::to_string(v)});
+    vectors.push_back(from.log(v));
+    expect_at(from.end(vectors.back()), mesh.position(v), lines.back().tolerance, lines.back().name);
   }
+  const std::vector<Point> ends = from.ends(vectors);
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    expect_at(ends[i], mesh.position(lines[i].vertex), lines[i].tolerance, lines[i].name + ", together");
   EXPECT_GT(straight, 0) << mesh_name;
 }
 
@@ -378,6 +406,19 @@ TEST(Straightest, ALineEndsAtTheBorderOrSlidesAlongIt) {
   const double far = (std::sqrt(1.25) * up + 10.0) / std::sqrt(1.25);
   const TracedEnd round = trace(from.frame, vector_to({0.5 * far, far, 0.0}), AtBorder::slide);
   expect_at(position_of(*from.mesh, round.point), {at[0] + 0.5 * up, 2.0, 0.0}, 1e-11, "round");
+  // Together, more than are traced side by side.
+  const std::array parts{0.0, 1.0, 1.2};  // of the way to the border
+  std::vector<Tangent> vectors;
+  for (int k = 0; k < 30; ++k)
+    vectors.push_back(vector_to({parts[k % 3] * 0.5 * up, parts[k % 3] * up, 0.0}));
+  const std::vector<Point> ended = from.ends(vectors), slipped = from.ends(vectors, AtBorder::slide);
+  for (int k = 0; k < 30; ++k) {
+    const double inside = std::min(parts[k % 3], 1.0), beyond = parts[k % 3] - inside;
+    const Point reached{at[0] + inside * 0.5 * up, at[1] + inside * up, 0.0};
+    expect_at(ended[k], reached, 1e-12, "end together");
+    expect_at(slipped[k], moved(reached, beyond * std::sqrt(1.25) * up, {1.0, 0.0, 0.0}), 1e-12,
+              "slide together");
+  }
 }
 
 TEST(Straightest, FromTheBorderOutwardsALineStaysOrSlides) {
