@@ -46,11 +46,7 @@ WaveTree::WaveTree(const ExactSolver::State& state)
     if (f % elements_per_checkpoint == 0) checkpoint();
     find_origins(f);
   }
-  arrivals_.assign(mesh_.vertex_count(), no_index);
-  for (Index v = 0; v < mesh_.vertex_count(); ++v) {
-    if (v % elements_per_checkpoint == 0) checkpoint();
-    if (state_.vertices[v].distance < unreachable && !is_source(v)) find_arrival(v);
-  }
+  find_arrivals();
   for (Index f = 0; f < mesh_.face_count(); ++f) {
     if (f % elements_per_checkpoint == 0) checkpoint();
     lay_side_by_side(f);
@@ -319,20 +315,82 @@ void WaveTree::find_origins(Index face) {
   }
 }
 
-void WaveTree::find_arrival(Index vertex) {
-  double least = unreachable;
+/// What the paths of parts turned at last, or came from.
+class WaveTree::LastTurns {
+ public:
+  explicit LastTurns(const std::vector<EdgePart>& parts) : parts_(parts), turn_(parts.size()) {}
+
+  Origin of(Index part) {
+    passed_.clear();
+    Origin at{Origin::part, part};
+    while (at.kind == Origin::part && passed_.size() < parts_.size()) {
+      passed_.push_back(at.id);
+      at = turn_[at.id].kind == Origin::none ? parts_[at.id].from : turn_[at.id];
+    }
+    for (const Index p : passed_) turn_[p] = at;
+    return at;
+  }
+
+ private:
+  const std::vector<EdgePart>& parts_;
+  std::vector<Origin> turn_;  ///< by part; none: not known yet
+  std::vector<Index> passed_;
+};
+
+/// In the order of their distances, each from what has its own arrival already. Where rounding lets a wave
+/// that grazes a vertex come from that as well as past it, the vertex would else be reached from itself.
+void WaveTree::find_arrivals() {
+  arrivals_.assign(mesh_.vertex_count(), no_index);
+  std::vector<Index> waiting, still_waiting;
+  std::vector<bool> is_reached(mesh_.vertex_count(), false);
+  for (Index v = 0; v < mesh_.vertex_count(); ++v) {
+    if (state_.vertices[v].distance == unreachable) continue;
+    is_reached[v] = is_source(v);
+    if (!is_source(v)) waiting.push_back(v);
+  }
+  std::ranges::stable_sort(waiting, {}, [&](Index v) { return state_.vertices[v].distance; });
+  LastTurns turns(parts_);
+  const auto comes_from_reached = [&](Index part) {
+    const Origin turn = turns.of(part);
+    return turn.kind == Origin::source || (turn.kind == Origin::vertex && is_reached[turn.id]);
+  };
+  bool has_to = false;  // none of those that wait is reached from others
+  for (Index done = 0; !waiting.empty(); waiting.swap(still_waiting)) {
+    still_waiting.clear();
+    for (const Index v : waiting) {
+      if (++done % elements_per_checkpoint == 0) checkpoint();
+      arrivals_[v] = arrival_from(v, comes_from_reached);
+      if (arrivals_[v] == no_index && has_to) arrivals_[v] = arrival_from(v, [](Index) { return true; });
+      is_reached[v] = arrivals_[v] != no_index || has_to;
+      has_to = has_to && !is_reached[v];
+      if (!is_reached[v]) still_waiting.push_back(v);
+    }
+    has_to = still_waiting.size() == waiting.size();
+  }
+}
+
+/// The edge by which a vertex is reached first, from parts that may be; no_index if there is none as near as
+/// the nearest of all.
+template <class MayBe>
+Index WaveTree::arrival_from(Index vertex, const MayBe& may_be) {
+  double least = unreachable, nearest = unreachable;
+  Index arrival = no_index;
   const auto look_at = [&](Index edge) {
     const bool is_first = geometry_.ends(edge)[0] == vertex;
-    const EdgePart& part = is_first ? parts(edge).front() : parts(edge).back();
+    const Index number = is_first ? first_part_[edge] : first_part_[edge + 1] - 1;
+    const EdgePart& part = parts_[number];
     const double distance = part.distance(is_first ? 0.0 : mesh_.edge_length(edge));
-    if (part.from == Origin{Origin::vertex, vertex} || !(distance < least)) return;
+    if (part.from == Origin{Origin::vertex, vertex}) return;
+    nearest = std::min(nearest, distance);
+    if (!(distance < least) || !may_be(number)) return;
     least = distance;
-    arrivals_[vertex] = edge;
+    arrival = edge;
   };
   for (const Index corner : mesh_.corners(vertex)) {
     look_at(mesh_.edge_of(corner));
     look_at(mesh_.edge_of(Mesh::previous_in_face(corner)));
   }
+  return least <= nearest * (1.0 + as_near) ? arrival : no_index;
 }
 
 // ---- The areas of a face

@@ -76,7 +76,10 @@ class WaveTree {
   std::vector<EdgePart> shortest_windows(Index edge, const std::vector<Cone>& cones) const;
   void fill(Index edge, const std::vector<Cone>& cones, double begin, double end);
   void find_origins(Index face);
-  void find_arrival(Index vertex);
+  class LastTurns;
+  void find_arrivals();
+  template <class MayBe>
+  Index arrival_from(Index vertex, const MayBe& may_be);
   class OriginFinder;
   Origin area_in(Index face, Index part) const;
   void lay_side_by_side(Index face);

@@ -385,6 +385,18 @@ TEST_F(RidgeOf, ComponentsHaveTheirOwn) {
   EXPECT_EQ(ridge_from(mesh, {at(0), at(4)}).edges.size(), first.edges.size());
 }
 
+TEST_F(RidgeOf, PathsAlongTheRimsOfHolesLeaveADisk) {
+  // A path along the wall of a hole grazes the vertices of its rim, and is as short as one by way of them.
+  std::vector<unsigned> seeds{1067262975, 355407742, 884581297};
+  while (seeds.size() < 20) seeds.push_back(static_cast<unsigned>(random_.below(1U << 30)));
+  for (const unsigned seed : seeds) {
+    const auto mesh = test::make_mesh(test::drilled_plate(3, 2, 0.4, seed));
+    const auto count = static_cast<unsigned>(mesh->vertex_count());
+    const std::vector<SurfacePoint> sources{SurfacePoint::at_vertex(static_cast<Index>(seed % count))};
+    expect_disks(*mesh, ridge_from(mesh, sources), sources);
+  }
+}
+
 TEST_F(RidgeOf, ScansAndPartsLeaveADisk) {
   for (const std::string name : {"spot", "rocker_arm", "casting", "basket"}) {
     const auto file = test::test_mesh_file(name);
