@@ -6,10 +6,11 @@
 #   packages of samples/requirements.txt, the core in build/core, around it the plugin for PyMeshLab 2025.7 in
 #   build/plugin-2025.07-double, and the Python package vorogeo in .venv.
 #   --numpy: all but the plugin and what only it needs: half of the time. A package with the plugin stays.
-#   --tests: also what only the tests need: tests/requirements.txt, GoogleTest, debootstrap, Maven, and PyMeshLab 2022.2 and 2023.12 in build/venv-2022
-#   and build/venv-2023 with their plugins and vorogeo. The core is then that of the C++ tests, in build/release. 2023.12 is
-#   left out where the headers of MeshLab 2023.12 cannot be had; build/logs/headers-2023.12.log has the reason.
-#   --daily: as --tests, without the older PyMeshLab versions and Maven.
+#   --tests: also what only the tests need: tests/requirements.txt, GoogleTest, debootstrap, Maven, clang with libc++, and PyMeshLab
+#   2022.2 and 2023.12 in build/venv-2022 and build/venv-2023 with their plugins and vorogeo. The core is then that of the C++ tests,
+#   in build/release. 2023.12 is left out where the headers of MeshLab 2023.12 cannot be had; build/logs/headers-2023.12.log has the
+#   reason.
+#   --daily: as --tests, without the older PyMeshLab versions, Maven and clang.
 #   --bench: instead of all this, what tests/bench needs: build/venv-bench with the package without its plugin and with
 #   the packages it is compared with, and the programs in build/bench. What cannot be obtained is named and left out.
 #

@@ -4,7 +4,7 @@
 # Usage: tests/wheels/windows.sh [--built] [-- PYTEST OPTIONS]
 #   Builds the wheel (pyfilter/build_wheels.sh --platform windows; --built: takes that in build/wheels/dist), looks into it,
 #   installs it with NumPy's and SciPy's wheels for Windows, and runs the tests that need no more than these: the contract, and what
-#   systems do in different ways. Needs what samples/setup.sh --daily sets up, root's rights, and 2 GB in build.
+#   systems do in different ways. Needs what samples/setup.sh --tests sets up, root's rights, and 2 GB in build.
 # Exit status 77 where there is no root, no wine or no package for Windows; the reason stands on the standard error.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
