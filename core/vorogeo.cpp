@@ -683,7 +683,7 @@ std::vector<TangentFrame> tangent_frames(const Surface& surface, const PointList
 }
 
 LogMap log_map(const Surface& surface, const SurfacePoint& from, const LogMapOptions& options) {
-  return ask(surface, TaskOptions{Answer::exact, options.progress}, [&](const Asked& at) {
+  return ask(surface, TaskOptions{options.by, options.progress}, [&](const Asked& at) {
     std::optional<inner::PointList> targets;
     if (!options.targets.empty()) targets = at.in(options.targets);
     auto found = inner::log_map(at.surface, at.in(from), targets, options.limit, at.options);

@@ -634,6 +634,7 @@ VOROGEO_API std::vector<TangentFrame> tangent_frames(const Surface& surface, con
 struct LogMapOptions {
   PointList targets = {};      ///< empty: all vertices
   double limit = unreachable;  ///< distances above it are `unreachable`
+  Answer by = Answer::exact;   ///< or index: off by tenths of a degree in the mean
   ProgressFunction progress = {};
 };
 struct LogMap {
@@ -641,8 +642,9 @@ struct LogMap {
   std::vector<double> distance;  ///< the lengths of these vectors
   int unreached = 0;             ///< vertices or targets to which no path leads, whatever the limit
 };
-/// Exact shortest paths from a point, as vectors in its frame: each has the direction in which the path
-/// begins, and its length. \throw InvalidInput as tangent_frames(), and where the metric jumps at edges.
+/// Shortest paths from a point, as vectors in its frame: each has the direction in which the path begins, and
+/// its length. \throw InvalidInput as tangent_frames(), where the metric jumps at edges, and for the method
+/// quick.
 VOROGEO_API LogMap log_map(const Surface& surface, const SurfacePoint& from,
                            const LogMapOptions& options = {});
 

@@ -132,6 +132,22 @@ double BoundaryDijkstra::across(Index patch, Index row, Index column, double sum
   return std::min(sum, crossing_distance(crossing));
 }
 
+BorderCrossing BoundaryDijkstra::crossing_before(Index node) const {
+  const auto [patch, row, relaxed] = state_[node];
+  const auto nodes = layer_.nodes(patch);
+  const PatchLayer::Column targets = layer_.column_of(patch, layer_.row_of(node, patch));
+  BorderCrossing crossing{nodes[row]};
+  if (state_[nodes[row]].patch == patch) return crossing;
+  for (const BorderNeighbour& next : layer_.neighbours(patch, row)) {
+    const Index other = nodes[next.row];
+    if (distance_[other] == unreachable || state_[other].patch == patch || !(next.length > 0.0f)) continue;
+    crossing.offer(
+        other, straight_crossing<double>(distance_[nodes[row]], targets.distance(row),
+                                         {distance_[other], targets.distance(next.row), next.length}, 0.0));
+  }
+  return crossing;
+}
+
 double BoundaryDijkstra::sum(Index node) const {
   const NodeState& state = state_[node];
   if (state.patch == no_index) return distance_[node];

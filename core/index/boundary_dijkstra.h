@@ -8,9 +8,27 @@
 
 #include "index/patch_layer.h"
 #include "index/scans.h"
+#include "index/unfolding.h"
 #include "support/bucket_queue.h"
 
 namespace vorogeo {
+
+/// Where a path crosses a border: at a node, or on the edge from there to another one.
+struct BorderCrossing {
+  Index node = no_index;
+  Index beside = no_index;
+  double part = 0.0;  ///< of that edge before the path
+  double gain = 0.0;
+
+  /// Takes the edge to a neighbour if a path gains more there than on those that were offered before.
+  template <class Number>
+  void offer(Index neighbour, const StraightCrossing<Number>& across) {
+    if (!(across.gain > gain)) return;
+    beside = neighbour;
+    part = across.part;
+    gain = across.gain;
+  }
+};
 
 // ---- Distances of the border nodes of a layer, by Dijkstra's algorithm over the patch tables
 
@@ -60,6 +78,8 @@ class BoundaryDijkstra {
   /// Distance of a member (column) of a patch through its border, given the least sum and the row at which it
   /// crosses: improved by unfolding the border edges at that row where their distances belong to one wave.
   double across(Index patch, Index row, Index column, double sum) const;
+  /// Where the path to a node crosses the border behind it. \pre It was reached, and is no seed.
+  BorderCrossing crossing_before(Index node) const;
   /// Nodes with a finite distance.
   std::span<const Index> reached() const { return touched_; }
 

@@ -161,6 +161,9 @@ struct Crossings {
       side[s].length[k] = crossing.side[s].length;
     }
   }
+  BorderSample<float> beside(Index k, int s) const {
+    return {side[s].source[k], side[s].target[k], side[s].length[k]};
+  }
 };
 
 /// crossing_gain() of each.

@@ -83,16 +83,22 @@ VOROGEO_INLINE bool may_be_one_path(const SideAngle<Number>& before, const SideA
          ((sine >= zero) & ((before.sine <= zero) | (after.sine <= zero)));
 }
 
-/// By how much the sum over a border vertex is longer than the straight line across the edge to a neighbour;
-/// 0 if that line does not cross the edge.
+/// The straight line from source to target across the edge to a neighbour.
+template <class Number>
+struct StraightCrossing {
+  Number gain;  ///< by how much the sum over the vertex is longer; 0 if the line does not cross the edge
+  Number part;  ///< of the edge that lies before the line, if it crosses
+};
+
 ///
 /// Let s and t be the distances of source and target from the vertex, and phi the sum of the angles of both
 /// straight lines with the edge. By the law of cosines the straight line r between them has (s + t)^2 - r^2 =
 /// 2 s t (1 + cos phi). The gain s + t - r is found from that with everything divided by s, which may be much
 /// longer than the rest; `excess` is t (1 + cos phi).
 template <class Number>
-VOROGEO_INLINE Number unfolded_gain(Number source, Number target, const BorderSample<Number>& neighbour,
-                                    Number lowest) {
+VOROGEO_INLINE StraightCrossing<Number> straight_crossing(Number source, Number target,
+                                                          const BorderSample<Number>& neighbour,
+                                                          Number lowest) {
   constexpr Number half{0.5F};
   constexpr Number one{1};
   constexpr Number two{2};
@@ -116,7 +122,13 @@ VOROGEO_INLINE Number unfolded_gain(Number source, Number target, const BorderSa
   const bool valid = (source_size <= length) & (target_size <= length) & (height > Number{0}) &
                      (crossing > Number{0}) & (crossing < length * height) & (gain > Number{0}) &
                      (gain <= two * target) & (gain <= two * away);
-  return valid ? gain : Number{0};
+  return {valid ? gain : Number{0}, crossing / (length * height)};
+}
+
+template <class Number>
+VOROGEO_INLINE Number unfolded_gain(Number source, Number target, const BorderSample<Number>& neighbour,
+                                    Number lowest) {
+  return straight_crossing(source, target, neighbour, lowest).gain;
 }
 
 /// By how much the sum over the middle one of three consecutive border vertices, the least of the three, is

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "index/scans.h"
 #include "support/parallel.h"
@@ -95,10 +96,20 @@ void FieldSweep::cross(const PatchLayer& layer, const BorderDistances& border, I
     if (row_[k] == no_index) continue;
     const float above = crossings.source[k] + crossings.target[k] - gain[k];
     result_[column + k] = lowest_ + static_cast<double>(above);
+    if (leg_.empty()) continue;
+    BorderCrossing at{nodes[row_[k]]};
+    for (int s : {0, 1}) {
+      at.offer(nodes[beside_[row_[k]].other[s]],
+               straight_crossing(crossings.source[k], crossings.target[k], crossings.beside(k, s),
+                                 static_cast<float>(lowest_)));
+    }
+    leg_[column + k] = border.legs.across(at);
   }
 }
 
-void FieldSweep::cross_long_edges(const PatchLayer& layer, Index patch, Index column, int count) {
+void FieldSweep::cross_long_edges(const PatchLayer& layer, const BorderDistances& border, Index patch,
+                                  Index column, int count) {
+  const auto nodes = layer.nodes(patch);
   for (Index at = column; !long_edges_.empty() && at < column + count; ++at) {
     const PatchLayer::Column targets = layer.column_of(patch, at);
     for (const LongBorderEdge& edge : long_edges_) {
@@ -107,6 +118,15 @@ void FieldSweep::cross_long_edges(const PatchLayer& layer, Index patch, Index co
       if (through.row == no_index) continue;
       result_[at] = through.distance;
       crossing_row_[at] = through.row;
+      if (leg_.empty()) continue;
+      const bool is_second = through.row == edge.end[1].row;
+      const auto& [from, to] =
+          is_second ? std::tie(edge.end[1], edge.end[0]) : std::tie(edge.end[0], edge.end[1]);
+      BorderCrossing place{nodes[from.row]};
+      place.offer(nodes[to.row],
+                  straight_crossing<double>(from.source, targets.distance(from.row),
+                                            {to.source, targets.distance(to.row), edge.length}, 0.0));
+      leg_[at] = border.legs.across(place);
     }
   }
 }
@@ -118,6 +138,7 @@ std::span<const double> FieldSweep::sweep(const PatchLayer& layer, const BorderD
   const Index columns = layer.member_count(patch);
   result_.assign(columns, unreachable);
   crossing_row_.assign(columns, no_index);
+  leg_.assign(border.legs.of_node.empty() ? 0 : columns, no_leg);
   // Sums are formed relative to the least border distance, so that they need few digits far from the source.
   lowest_ = unreachable;
   for (Index row = 0; row < rows; ++row) lowest_ = std::min(lowest_, border.distance[nodes[row]]);
@@ -153,11 +174,12 @@ std::span<const double> FieldSweep::sweep(const PatchLayer& layer, const BorderD
     const int count = std::min(Crossings::capacity, columns - column);
     find_rows(layer, patch, column, count);
     cross(layer, border, patch, column, count);
-    if (layer.order == TableOrder::tiles) cross_long_edges(layer, patch, column, count);
+    if (layer.order == TableOrder::tiles) cross_long_edges(layer, border, patch, column, count);
   }
   for (Index row = 0; row < rows; ++row) {
     result_[row] = border.distance[nodes[row]];
     crossing_row_[row] = no_index;
+    if (!leg_.empty()) leg_[row] = border.legs.of_node[nodes[row]];
   }
   return result_;
 }
@@ -171,6 +193,8 @@ namespace {
 constexpr double long_edge_for_nodes = 1.0;
 /// What is shorter by less is rounding of tables.
 constexpr double least_repair = 1e-4;
+/// A seed's leg holds unless a path from another seed is shorter than its own by more than tables err.
+constexpr double least_shortcut = 0.01;
 /// Groups of the transit table that a thread takes at a time.
 constexpr Index groups_at_once = 32;
 
@@ -186,8 +210,9 @@ BorderField::BorderField(const IndexData& data)
       is_seed_parent_(data.first.patch_count, 0),
       beside_(data.first.node_count()) {}
 
-void BorderField::reset(std::span<const Seed> seeds, double max_distance, int threads) {
+void BorderField::reset(std::span<const Seed> seeds, double max_distance, int threads, double full_turn) {
   max_distance_ = max_distance;
+  full_turn_ = full_turn;
   search_.reset();
   std::fill(is_seed_parent_.begin(), is_seed_parent_.end(), 0);
   Index parents = 0;
@@ -210,6 +235,11 @@ void BorderField::reset(std::span<const Seed> seeds, double max_distance, int th
   for (Index p = 0; p < data_.second.patch_count; ++p) {
     if (allowed_[p] != 0) cross_long_edges(p);
   }
+  if (wants_legs()) {
+    find_search_legs(seeds);
+    first_leg_.resize(data_.first.node_count());
+    leg_ = search_leg_;
+  }
   if (!searched_all_) {
     cross_transit_table(threads);
     return;
@@ -217,6 +247,31 @@ void BorderField::reset(std::span<const Seed> seeds, double max_distance, int th
   for (Index node = 0; node < data_.second.node_count(); ++node) {
     distance_[node] = search_.distance(node);
     predecessor_[node] = search_.predecessor(node);
+  }
+}
+
+/// In the order of distance, so that nodes beside those that a path has passed are known as well.
+void BorderField::find_search_legs(std::span<const Seed> seeds) {
+  search_leg_.assign(data_.second.node_count(), no_leg);
+  for (const Seed& seed : seeds) {
+    if (search_.distance(seed.node) >= (1.0 - least_shortcut) * seed.distance)
+      search_leg_[seed.node] = seed.first_leg;
+  }
+  const auto reached = search_.reached();
+  std::vector<Index> order(reached.begin(), reached.end());
+  std::ranges::sort(order, {}, [&](Index node) { return search_.distance(node); });
+  const FirstLegs legs = legs_by(search_leg_);
+  std::vector<Index> passed;
+  for (const Index node : order) {
+    // At equal distances the predecessor may follow.
+    for (Index at = node; at >= 0 && std::isnan(search_leg_[at]) && passed.size() <= order.size();
+         at = search_.predecessor(at)) {
+      passed.push_back(at);
+    }
+    for (; !passed.empty(); passed.pop_back()) {
+      const Index at = passed.back();
+      if (search_.predecessor(at) >= 0) search_leg_[at] = legs.across(search_.crossing_before(at));
+    }
   }
 }
 
@@ -364,14 +419,25 @@ void BorderField::cross_rows(Index begin, Index count) {
     const Index row = least_row_[node];
     double distance = search_.distance(name);
     Index predecessor = search_.predecessor(name);
+    double leg = wants_legs() ? search_leg_[name] : no_leg;
     if (row != no_index && row != node) {
       const float sum = crossings.source[k] + crossings.target[k] - gain[k];
       const double through = lowest_ + static_cast<double>(sum);
       if (through < distance) {
         distance = through;
         predecessor = data_.second_node[row];
+        if (wants_legs()) {
+          BorderCrossing at{predecessor};
+          for (int s : {0, 1}) {
+            at.offer(data_.second_node[beside_[row].other[s]],
+                     straight_crossing(crossings.source[k], crossings.target[k], crossings.beside(k, s),
+                                       static_cast<float>(lowest_)));
+          }
+          leg = legs_by(search_leg_).across(at);
+        }
       }
     }
+    if (wants_legs()) first_leg_[node] = leg_[name] = leg;
     first_distance_[node] = distance_[name] = distance;
     first_predecessor_[node] = predecessor_[name] = predecessor;
   }
@@ -386,7 +452,7 @@ void BorderField::fill(Index first_layer_patch, FieldSweep& sweep) {
                                    [&](Index node) { return first_distance_[node] <= max_distance_; });
   std::span<const double> found;
   if (reached) {
-    found = sweep.sweep(first, {first_distance_, first_predecessor_}, first_layer_patch);
+    found = sweep.sweep(first, {first_distance_, first_predecessor_, legs_by(first_leg_)}, first_layer_patch);
   }
   const auto rows = sweep.crossing_rows();
   for (std::size_t i = nodes.size(); i < members.size(); ++i) {
@@ -396,6 +462,7 @@ void BorderField::fill(Index first_layer_patch, FieldSweep& sweep) {
     if (!reached || !(found[i] < distance_[node])) continue;
     distance_[node] = found[i];
     predecessor_[node] = data_.second_node[nodes[rows[i]]];
+    if (wants_legs()) leg_[node] = sweep.first_legs()[i];
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -103,10 +104,34 @@ void find_long_border_edges(const PatchLayer& layer, Index patch, double least, 
 
 // ---- Distances inside a patch from those on its border
 
+inline constexpr double no_leg = std::numeric_limits<double>::quiet_NaN();
+
+/// Angles at the source at which the shortest paths to the border nodes of a layer begin (first legs).
+struct FirstLegs {
+  /// Legs that differ by more than this part of a full turn belong to paths that pass something on both
+  /// sides; between others, they change evenly.
+  static constexpr double one_wave = 1.0 / 24.0;
+
+  std::span<const double> of_node;  ///< NaN where there is none; empty if they are not wanted
+  double full_turn = 0.0;           ///< TangentFrame::full_turn()
+
+  /// From one leg to another, the shorter way round; 0 if they belong to different waves.
+  static double difference(double from, double to, double full_turn) {
+    const double turn = std::remainder(to - from, full_turn);
+    return std::abs(turn) < one_wave * full_turn ? turn : 0.0;
+  }
+  /// Of the path over a crossing.
+  double across(const BorderCrossing& at) const {
+    const double leg = of_node[at.node];
+    return at.beside == no_index ? leg : leg + at.part * difference(leg, of_node[at.beside], full_turn);
+  }
+};
+
 /// Distances of the border nodes of a layer, and the predecessors of these.
 struct BorderDistances {
   std::span<const double> distance;    ///< by node; unreachable where there is none
   std::span<const Index> predecessor;  ///< by node; a BoundaryDijkstra::source_name for a seed
+  FirstLegs legs = {};
 };
 
 /// The neighbours of a border node along the border that are used where paths cross there: the first two that
@@ -146,11 +171,14 @@ class FieldSweep {
   std::span<const double> sweep(const PatchLayer& layer, const BorderDistances& border, Index patch);
   /// After a sweep, for members that are not on the border: the row of the least sum; no_index without one.
   std::span<const Index> crossing_rows() const { return crossing_row_; }
+  /// After a sweep with legs: those of all members.
+  std::span<const double> first_legs() const { return leg_; }
 
  private:
   void find_rows(const PatchLayer& layer, Index patch, Index column, int count);
   void cross(const PatchLayer& layer, const BorderDistances& border, Index patch, Index column, int count);
-  void cross_long_edges(const PatchLayer& layer, Index patch, Index column, int count);
+  void cross_long_edges(const PatchLayer& layer, const BorderDistances& border, Index patch, Index column,
+                        int count);
 
   double lowest_ = 0.0;
   std::vector<float> above_;        ///< by row: distance minus the lowest
@@ -160,6 +188,7 @@ class FieldSweep {
   std::vector<LongBorderEdge> long_edges_;
   std::vector<double> result_;
   std::vector<Index> crossing_row_;
+  std::vector<double> leg_;
   std::vector<float> line_;
   Index row_[Crossings::capacity];
 };
@@ -180,17 +209,24 @@ class BorderField {
     Index node;
     double distance;
     Index wave;  ///< number of the source
+    double first_leg = 0.0;
   };
   /// Finds the distances of the first-layer nodes; those above max_distance need not be found. `threads`:
-  /// share that; they do not change the result.
-  void reset(std::span<const Seed> seeds, double max_distance, int threads = 1);
+  /// share that; they do not change the result. `full_turn`: above 0, legs are found as well, from those of
+  /// the seeds.
+  void reset(std::span<const Seed> seeds, double max_distance, int threads = 1, double full_turn = 0.0);
   /// Finds the distances of the second-layer nodes in a first-layer patch, after reset().
   void fill(Index first_layer_patch, FieldSweep& sweep);
 
   /// The distances of the second-layer nodes, after fill().
-  BorderDistances border() const { return {distance_, predecessor_}; }
+  BorderDistances border() const { return {distance_, predecessor_, legs_by(leg_)}; }
 
  private:
+  bool wants_legs() const { return full_turn_ > 0.0; }
+  FirstLegs legs_by(const std::vector<double>& leg) const {
+    return wants_legs() ? FirstLegs{leg, full_turn_} : FirstLegs{};
+  }
+  void find_search_legs(std::span<const Seed> seeds);
   void cross_long_edges(Index patch);
   void cross_transit_table(int threads);
   void find_bases();
@@ -221,6 +257,11 @@ class BorderField {
   std::vector<std::uint8_t> allowed_;
   std::vector<std::uint8_t> is_seed_parent_;
   std::vector<BesideNode> beside_;  ///< of the nodes in rows_
+  double full_turn_ = 0.0;
+  // Only with legs:
+  std::vector<double> search_leg_;  ///< by second-layer node, as the search has reached it
+  std::vector<double> first_leg_;   ///< by first-layer node
+  std::vector<double> leg_;         ///< by second-layer node
   double max_distance_ = unreachable;
   double lowest_ = 0.0;
   bool searched_all_ = false;

@@ -28,17 +28,24 @@ void IndexField::take_sources(std::span<const ExactSource> given, double max_dis
 }
 
 void IndexField::run(std::span<const ExactSource> sources, double max_distance, int threads,
-                     bool wants_labels) {
+                     bool wants_labels, const TangentFrame* directions) {
   take_sources(sources, max_distance);
+  full_turn_ = directions != nullptr ? directions->full_turn() : 0.0;
+  leg_.assign(directions != nullptr ? data_.surface.place_count() : 0, no_leg);
   distance_.assign(data_.surface.place_count(), unreachable);
   if (wants_labels) label_.assign(data_.surface.place_count(), no_index);
   if (sources_.empty()) return;
-  near_.run(sources_, max_distance);
+  near_.run(sources_, max_distance, directions);
   std::vector<BorderField::Seed> seeds;
   near_.for_each_reached_node([&](Index node, double distance, Index source) {
-    seeds.push_back({node, distance, number_[source]});
+    if (directions == nullptr) {
+      seeds.push_back({node, distance, number_[source]});
+    } else if (near_.on_rim(node)) {
+      const SurfacePoint at = data_.surface.surface_point(data_.second.node_place[node]);
+      seeds.push_back({node, distance, number_[source], near_.solver().first_leg(at)});
+    }
   });
-  borders_.reset(seeds, max_distance, threads);
+  borders_.reset(seeds, max_distance, threads, full_turn_);
   const BorderDistances border = borders_.border();
   const auto is_reached = [&](Index node) { return border.distance[node] < unreachable; };
   parallel_for(data_.first.patch_count, threads, {}, "", [&](std::size_t item, int worker) {
@@ -48,7 +55,7 @@ void IndexField::run(std::span<const ExactSource> sources, double max_distance, 
     for (Index p : data_.children(parent)) {
       if (std::ranges::none_of(data_.second.nodes(p), is_reached)) continue;
       const auto found = sweep.sweep(data_.second, border, p);
-      take_sweep(p, found, sweep.crossing_rows(), wants_labels);
+      take_sweep(p, found, sweep, wants_labels);
     }
   });
   if (wants_labels) {
@@ -62,10 +69,11 @@ void IndexField::run(std::span<const ExactSource> sources, double max_distance, 
                       [&](Index v, double exact) {
                         distance_[v] = exact;
                         if (wants_labels) label_[v] = number_[near_.solver().nearest_source(v)];
+                        if (directions != nullptr) leg_[v] = near_.solver().first_leg(v);
                       });
 }
 
-void IndexField::take_sweep(Index patch, std::span<const double> found, std::span<const Index> rows,
+void IndexField::take_sweep(Index patch, std::span<const double> found, const FieldSweep& sweep,
                             bool labels) {
   const auto nodes = data_.second.nodes(patch);
   const auto members = data_.second.members(patch);
@@ -73,8 +81,9 @@ void IndexField::take_sweep(Index patch, std::span<const double> found, std::spa
     // A border node belongs to several patches: its home patch writes it.
     if (data_.home_patch[members[i]] != patch) continue;
     distance_[members[i]] = found[i];
+    if (!leg_.empty()) leg_[members[i]] = sweep.first_legs()[i];
     if (!labels) continue;
-    const Index row = i < nodes.size() ? static_cast<Index>(i) : rows[i];
+    const Index row = i < nodes.size() ? static_cast<Index>(i) : sweep.crossing_rows()[i];
     label_[members[i]] = row == no_index ? no_index : nodes[row];
   }
 }
@@ -120,6 +129,30 @@ Index IndexField::nearest_source(Index vertex) const {
   if (inner != no_index) return label_[inner];
   const Numbered* source = isolated_at(vertex);
   return source != nullptr ? source->first : no_index;
+}
+
+double IndexField::first_leg(Index vertex) const {
+  const Index inner = data_.surface.vertex[vertex];
+  return inner != no_index && distance_[inner] < unreachable ? leg_[inner] : no_leg;
+}
+
+double IndexField::first_leg(const SurfacePoint& user) const {
+  if (user.is_vertex()) return first_leg(user.vertex);
+  const SurfacePoint point = data_.surface.inner_point(user);
+  if (near_.halo().mask()[point.face] != 0) {
+    const double exact = near_.solver().distance(point);
+    if (exact < unreachable && exact <= distance(user)) return near_.solver().first_leg(point);
+  }
+  const FacePiece piece(data_.surface, point.face, point.barycentric);
+  int nearest = 0;
+  for (int i : {1, 2}) {
+    if (distance_[piece.place[i]] < distance_[piece.place[nearest]]) nearest = i;
+  }
+  const double leg = leg_[piece.place[nearest]];
+  double turn = 0.0;
+  for (int i : {0, 1, 2})
+    turn += piece.weights[i] * FirstLegs::difference(leg, leg_[piece.place[i]], full_turn_);
+  return leg + turn;
 }
 
 double IndexField::distance(const SurfacePoint& user) const {

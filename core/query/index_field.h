@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "exact/exact_solver.h"
+#include "exact/tangent_frame.h"
 #include "index/index_data.h"
 #include "mesh/surface_point.h"
 #include "query/border_field.h"
@@ -32,7 +33,11 @@ class IndexField {
   /// points anywhere on the surface. Sums above max_distance may be missing. No answer depends on `threads`.
   /// \throw InvalidInput for no source, a point that is not on the mesh, an offset that is negative or not
   /// finite, a max_distance that is negative or no number.
-  void run(std::span<const ExactSource> sources, double max_distance, int threads, bool wants_labels);
+  ///
+  /// `directions`: if not null, first_leg() will be read; the frame of the only source on the inner surface.
+  /// The distances may then differ within what the index errs.
+  void run(std::span<const ExactSource> sources, double max_distance, int threads, bool wants_labels,
+           const TangentFrame* directions = nullptr);
 
   // After run():
   const Mesh& mesh() const { return *data_.mesh; }
@@ -40,6 +45,11 @@ class IndexField {
   /// At a vertex the same; in a face exact in the patches of the sources and around them, elsewhere computed
   /// from the distances at its corners (distance_in_face).
   double distance(const SurfacePoint& point) const;
+  /// The angle in the frame at which the shortest path begins; NaN where none leads. Exact in the patches
+  /// around the source; further away from where the path crosses the borders of these, in hundredths of a
+  /// degree on smooth surfaces, in tenths on rough ones.
+  double first_leg(Index vertex) const;
+  double first_leg(const SurfacePoint& point) const;
   /// Position of the nearest source in the list, if labels are wanted; no_index where there is none.
   Index nearest_source(Index vertex) const;
 
@@ -48,7 +58,7 @@ class IndexField {
   using Numbered = std::pair<Index, ExactSource>;
 
   void take_sources(std::span<const ExactSource> given, double max_distance);
-  void take_sweep(Index patch, std::span<const double> found, std::span<const Index> rows, bool labels);
+  void take_sweep(Index patch, std::span<const double> found, const FieldSweep& sweep, bool labels);
   Index label_of_node(Index node);
   const Numbered* isolated_at(Index vertex) const;
 
@@ -61,7 +71,9 @@ class IndexField {
   std::vector<Numbered> isolated_;    ///< at vertices without a face, which the inner surface does not have
   std::vector<double> distance_;      ///< by place
   std::vector<Index> label_;          ///< by place; during the sweeps, the border node on its path
-  std::vector<Index> node_label_;     ///< by second-layer node, as far as known
+  std::vector<double> leg_;           ///< by place; empty without directions
+  double full_turn_ = 0.0;
+  std::vector<Index> node_label_;  ///< by second-layer node, as far as known
   std::vector<Index> passed_;
 };
 

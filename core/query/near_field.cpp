@@ -40,12 +40,14 @@ void NearField::add_at(const SurfacePoint& point) {
   });
 }
 
-void NearField::solve(std::span<const ExactSource> sources, double max_distance) {
+void NearField::solve(std::span<const ExactSource> sources, double max_distance,
+                      const TangentFrame* directions) {
   ExactLimits limits;
   limits.face_allowed = halo_.mask();
   limits.targets = targets_.vertices;
   limits.edge_targets = targets_.points;
   limits.max_distance = max_distance;
+  limits.directions = directions;
   solver_.run(sources, limits);
   certain_ = std::min(solver_.settled_distance(), solver_.barrier_distance());
 }
@@ -63,10 +65,15 @@ double NearField::median_distance(std::span<const ExactSource> sources) {
   return *middle;
 }
 
-void NearField::run(std::span<const ExactSource> sources, double max_distance) {
+void NearField::run(std::span<const ExactSource> sources, double max_distance,
+                    const TangentFrame* directions) {
   for (Index p : patches_) is_near_[p] = 0;
   patches_.clear();
   for (const ExactSource& one : sources) add_at(one.point);
+  if (directions != nullptr) {
+    const std::vector<Index> own = patches_;
+    for (Index p : own) std::ranges::for_each(data_.second.touching[p], [&](Index other) { add(other); });
+  }
   targets_.clear();
   Index patch_faces = 0;
   for (Index p : patches_) {
@@ -80,19 +87,19 @@ void NearField::run(std::span<const ExactSource> sources, double max_distance) {
                      [&](Index face, const std::array<double, 3>&) { around_.push_back(face); });
     nearest_offset = std::min(nearest_offset, one.offset);
   }
-  halo_.surround(patches_, growth);
+  halo_.surround(patches_, directions != nullptr ? growth_with_directions : growth);
   const auto patches = static_cast<double>(std::max<std::size_t>(patches_.size(), 1));
   const double members = static_cast<double>(targets_.size()) / patches;
   halo_.widen(around_, static_cast<int>(std::lround(reach * std::sqrt(members))),
               static_cast<std::size_t>(max_faces * members * static_cast<double>(sources.size())));
-  solve(sources, max_distance);
+  solve(sources, max_distance, directions);
   const double most = most_widened * static_cast<double>(halo_.faces().size());
   // Each round doubles the faces or is the last.
   while (static_cast<double>(halo_.faces().size()) <= most &&
          solver_.barrier_distance() - nearest_offset < least_certain * median_distance(sources)) {
     const std::size_t before = halo_.faces().size();
     halo_.surround(patches_, 2.0 * static_cast<double>(before) / patch_faces);
-    solve(sources, max_distance);
+    solve(sources, max_distance, directions);
     if (halo_.faces().size() <= before) break;
   }
   for (Index p : entered_) is_entered_[p] = 0;

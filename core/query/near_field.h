@@ -38,15 +38,27 @@ class NearField {
   static constexpr double least_certain = 1.0 / 32.0;
   /// Bounds the time of that: once the halo has grown this many times, it is widened no more.
   static constexpr double most_widened = 16.0;
+  /// With directions, the patches around those of the sources are near as well: the farther from a source a
+  /// path is known exactly, the less its direction depends on where it goes on. Growth of the halo around
+  /// these.
+  static constexpr double growth_with_directions = 1.2;
 
   explicit NearField(const IndexData& data);
 
   /// Solves from the sources (on the inner surface) until all places of their patches are reached, and of
-  /// those just behind a border beside them.
-  void run(std::span<const ExactSource> sources, double max_distance);
+  /// those just behind a border beside them. `directions`: as in ExactLimits; then also of the patches around
+  /// these.
+  void run(std::span<const ExactSource> sources, double max_distance,
+           const TangentFrame* directions = nullptr);
 
   /// Whether a face is in one of the patches.
   bool inside(Index face) const { return is_near_[data_.surface.second_layer[face]] != 0; }
+  /// Whether a border node is between one of the patches and another: no path leaves them elsewhere.
+  bool on_rim(Index node) const {
+    const auto patches = data_.second.patches_of(node);
+    const auto is_near = [&](const PatchRow& at) { return is_near_[at.patch] != 0; };
+    return std::ranges::any_of(patches, is_near) && !std::ranges::all_of(patches, is_near);
+  }
   /// After run(): whether an exact distance replaces that by the tables. It does up to the distance at which
   /// a path could have left the halo; beyond that if it is shorter, and inside the patches unless that by the
   /// tables is much shorter.
@@ -90,7 +102,7 @@ class NearField {
  private:
   void add(Index patch);
   void add_at(const SurfacePoint& point);
-  void solve(std::span<const ExactSource> sources, double max_distance);
+  void solve(std::span<const ExactSource> sources, double max_distance, const TangentFrame* directions);
   double median_distance(std::span<const ExactSource> sources);
 
   const IndexData& data_;

@@ -21,9 +21,9 @@ PathQuery& Query::mesh_paths() {
 }
 
 const IndexField& Query::index_field(std::span<const ExactSource> sources, double max_distance, int threads,
-                                     bool wants_labels) {
+                                     bool wants_labels, const TangentFrame* directions) {
   if (!index_field_) index_field_.emplace(surface_.index()->data(), surface_.threads());
-  index_field_->run(sources, max_distance, threads, wants_labels);
+  index_field_->run(sources, max_distance, threads, wants_labels, directions);
   return *index_field_;
 }
 
@@ -195,10 +195,67 @@ ExactPath Query::path(const SurfacePoint& source, const SurfacePoint& target, An
   return index_paths_->exact_path(source, target, certify, landmarks.get());
 }
 
+namespace {
+
+/// The same point on the inner surface of an index: its faces have other numbers, so angles begin elsewhere.
+class InnerFrame {
+ public:
+  InnerFrame(const IndexData& data, const TangentFrame& user)
+      : frame_(*data.geometry->windows, data.surface.inner_point(user.point())) {
+    const Index side = user.views().front().halfedge;
+    const Index face = Mesh::face_of(side), inner_face = data.surface.face[face];
+    const Index inner_side = 3 * inner_face + side % 3;
+    sign_ = user.orientation(face) * frame_.orientation(inner_face);
+    turned_ = user.angle_to(face, user.geometry().mesh->tail(side)) -
+              sign_ * frame_.angle_to(inner_face, frame_.geometry().mesh->tail(inner_side));
+  }
+
+  const TangentFrame& frame() const { return frame_; }
+  /// An angle of this frame in that of the user.
+  double in_user_frame(double angle) const { return turned_ + sign_ * angle; }
+
+ private:
+  TangentFrame frame_;
+  int sign_;
+  double turned_;
+};
+
+/// As vectors in a frame. leg(point): the angle at which the path to a target begins.
+template <class Distance, class Leg>
+LogMap vectors_to(const Mesh& mesh, const std::optional<PointList>& targets, const TangentFrame& frame,
+                  const Distance& distance, const Leg& leg) {
+  LogMap found;
+  const auto add = [&](const auto& point) {
+    found.distance.push_back(distance(point));
+    found.vector.push_back(frame.vector(leg(point), found.distance.back()));
+  };
+  if (targets) {
+    std::ranges::for_each(*targets, add);
+  } else {
+    for (Index v = 0; v < mesh.vertex_count(); ++v) add(v);
+  }
+  return found;
+}
+
+}  // namespace
+
 LogMap Query::log_map(const TangentFrame& frame, const std::optional<PointList>& targets, double max_distance,
-                      int threads, const Progress& progress) {
+                      AnswerMethod by, int threads, const Progress& progress) {
   if (targets && targets->empty()) return {};
   const std::array source{ExactSource{frame.point()}};
+  if (by == AnswerMethod::index) {
+    const Watch watch(progress, "Geodesic directions");
+    const InnerFrame inner(surface_.index()->data(), frame);
+    const IndexField& field = index_field(source, max_distance, threads, false, &inner.frame());
+    const auto distance = [&](const auto& point) {
+      const double found = field.distance(point);
+      return found <= max_distance ? found : unreachable;
+    };
+    return vectors_to(*surface_.mesh(), targets, frame, distance, [&](const auto& point) {
+      return distance(point) < unreachable ? inner.in_user_frame(field.first_leg(point))
+                                           : std::numeric_limits<double>::quiet_NaN();
+    });
+  }
   // Points in faces need windows there, which a run that ends at vertices may not have.
   const bool only_vertices = !targets || targets->only_vertices();
   const std::vector<Index> vertices = targets && only_vertices ? targets->vertices() : std::vector<Index>{};
@@ -209,17 +266,9 @@ LogMap Query::log_map(const TangentFrame& frame, const std::optional<PointList>&
                       .threads = threads > 1 ? threads_for_field(*surface_.mesh(), threads) : 1,
                       .directions = &frame,
                       .progress = progress ? &progress : nullptr});
-  LogMap found;
-  const auto add = [&](const auto& point) {
-    found.distance.push_back(solver.distance(point));
-    found.vector.push_back(frame.vector(solver.first_leg(point), found.distance.back()));
-  };
-  if (targets) {
-    std::ranges::for_each(*targets, add);
-  } else {
-    for (Index v = 0; v < surface_.mesh()->vertex_count(); ++v) add(v);
-  }
-  return found;
+  return vectors_to(
+      *surface_.mesh(), targets, frame, [&](const auto& point) { return solver.distance(point); },
+      [&](const auto& point) { return solver.first_leg(point); });
 }
 
 std::vector<Turn> Query::first_turns(const PointList& targets) const {

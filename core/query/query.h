@@ -78,10 +78,10 @@ class Query {
   ExactPath path(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod by, bool exact,
                  bool certify);
   /// From the point of a frame to all vertices, or to some points; distances above max_distance are
-  /// `unreachable`. Exact. \pre The metric does not jump around the point.
+  /// `unreachable`. \pre The metric does not jump around the point; `by` is not quick.
   LogMap log_map(const TangentFrame& frame, const std::optional<PointList>& targets, double max_distance,
-                 int threads, const Progress& progress);
-  /// Where the paths of the last log_map() to its targets turn, if they do.
+                 AnswerMethod by, int threads, const Progress& progress);
+  /// Where the paths of the last exact log_map() to its targets turn, if they do.
   std::vector<Turn> first_turns(const PointList& targets) const;
   /// Of distances from the nearest of some sources, at all vertices or at some points: see vorogeo::gradient.
   std::vector<Tangent> gradient(std::span<const ExactSource> sources, const std::optional<PointList>& points,
@@ -100,7 +100,7 @@ class Query {
  private:
   PathQuery& mesh_paths();
   const IndexField& index_field(std::span<const ExactSource> sources, double max_distance, int threads,
-                                bool wants_labels);
+                                bool wants_labels, const TangentFrame* directions = nullptr);
   const LocalSolver& solved(std::span<const ExactSource> sources, double max_distance, int threads,
                             bool distances_only, const Progress& progress = {});
   const LocalSolver& solved(std::span<const ExactSource> sources, const ExactLimits& limits);

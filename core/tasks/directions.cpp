@@ -134,15 +134,23 @@ std::vector<std::array<Point, 3>> tangent_frames(Surface& surface, const PointLi
 LogMap log_map(Surface& surface, const SurfacePoint& point, const std::optional<PointList>& targets,
                double max_distance, const TaskOptions& options) {
   require_limit(max_distance);
-  require_exact(options, "Directions are");
+  if (options.by == AnswerMethod::quick)
+    throw InvalidInput("The quick method has no directions; choose exact, or an index.");
   const TangentFrame frame = frames_at(surface, std::vector{point}).front();
   std::optional<PointList> ends;
   if (targets) ends = points_on(*surface.mesh(), *targets, "Target");
+  Answered answered;
+  Progress rest = options.progress;
+  answered.by = options.by == AnswerMethod::index
+                    ? surface.choose(AnswerMethod::index, 1.0, 1.0, answered, rest)
+                    : AnswerMethod::exact;
   const Stopwatch watch;
   LogMap found = surface.lend([&](Query& query) {
-    return query.log_map(frame, ends, max_distance, surface.threads(), options.progress);
+    return query.log_map(frame, ends, max_distance, answered.by, surface.threads(), rest);
   });
-  report_from(options, watch, *surface.mesh(), {ExactSource{frame.point()}}, ends);
+  answered.seconds = watch.seconds();
+  answered.unreached = count_unreached(*surface.mesh(), std::array{ExactSource{frame.point()}}, ends);
+  if (options.answered != nullptr) *options.answered = answered;
   return found;
 }
 

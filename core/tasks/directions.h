@@ -21,9 +21,10 @@ const ExactGeometry& agreeing_geometry(Surface& surface, const SurfacePoint& poi
 std::vector<std::array<Point, 3>> tangent_frames(Surface& surface, const PointList& points);
 
 /// The shortest paths from a point to some points, or to all vertices, as vectors in the frame there;
-/// distances above max_distance are `unreachable`. Always exact. \throw as tangent_frames(), but takes a
-/// metric; for `by` an index and for a negative distance; Cancelled. Complexity: that of an exact field, if
-/// all targets are vertices as far as they are.
+/// distances above max_distance are `unreachable`. Exact, unless `by` is an index: see IndexField::first_leg.
+/// \throw as tangent_frames(), but takes a metric; for `by` quick and for a negative distance; Cancelled.
+/// Complexity: that of an exact field, if all targets are vertices as far as they are; from an index two to
+/// three of its fields.
 LogMap log_map(Surface& surface, const SurfacePoint& point, const std::optional<PointList>& targets,
                double max_distance, const TaskOptions& options);
 

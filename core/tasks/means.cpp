@@ -117,7 +117,7 @@ class Descent {
     Place place{TangentFrame(geometry_, point)};
     const LogMap map = surface_.lend([&](Query& query) {
       const Progress step = progress_.part(0.0, part_of_step);
-      LogMap found = query.log_map(place.frame, points_, reach, threads_, step);
+      LogMap found = query.log_map(place.frame, points_, reach, AnswerMethod::exact, threads_, step);
       progress_ = progress_.part(part_of_step, 1.0);
       place.turns = query.first_turns(points_);
       return found;

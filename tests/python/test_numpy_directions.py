@@ -260,11 +260,22 @@ def test_a_constant_cost_scales_vectors_and_has_no_frames_in_space():
         dear.tangent_frames(30)
 
 
-def test_an_index_does_not_answer_for_directions():
-    vertices, faces = bent_grid(9, 8)
+def test_an_index_answers_for_log_maps_where_it_is_asked_to():
+    vertices, faces = bent_grid(80, 75)
     index = vorogeo.GeodesicIndex(vertices, faces)
-    np.testing.assert_array_equal(index.log_map(30), vorogeo.Surface(vertices, faces).log_map(30))
+    exact = index.log_map(3030)
+    np.testing.assert_array_equal(exact, vorogeo.Surface(vertices, faces).log_map(3030))
     assert index.last.by == "exact"
+    vector, distance = index.log_map(3030, return_distance=True, method="index")
+    assert index.last.by == "index"
+    length = np.linalg.norm(exact, axis=1)
+    np.testing.assert_allclose(np.linalg.norm(vector, axis=1), distance, rtol=1e-12)
+    np.testing.assert_allclose(distance, length, rtol=0.02)
+    # What the vectors are apart, in units of their length: the angle between them.
+    apart = np.linalg.norm(vector - exact, axis=1)[length > 0] / length[length > 0]
+    assert np.degrees(apart.mean()) < 0.5
+    for row, point in zip(index.log_map(3030, [7, 3000], method="index"), (7, 3000), strict=True):
+        np.testing.assert_array_equal(row, vector[point])
 
 
 @pytest.mark.parametrize(
@@ -273,6 +284,7 @@ def test_an_index_does_not_answer_for_directions():
         (lambda s: s.log_map([1, 2]), "point: has 2 points; give one"),
         (lambda s: s.log_map(1000), "point: there is no vertex 1000"),
         (lambda s: s.log_map(1, max_distance=-1), "max_distance: -1.0 is negative"),
+        (lambda s: s.log_map(1, method="quick"), "method: 'quick' is unknown"),
         (lambda s: s.exp_map([1, 2], [[1, 0]] * 3), "points has 2 points, vectors 3"),
         (lambda s: s.exp_map(1, [1, 2, 3]), r"vectors: has shape \(1, 3\)"),
         (lambda s: s.exp_map(1, [np.nan, 0]), r"vectors\[0\]: \[nan, 0.0\] is not finite"),

@@ -4,8 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -13,6 +17,8 @@
 #include "mesh/metric.h"
 #include "mesh/vectors.h"
 #include "support/gaps.h"
+#include "support/hostile_meshes.h"
+#include "support/indexes.h"
 #include "support/layers.h"
 #include "support/near.h"
 #include "support/refusal.h"
@@ -61,6 +67,88 @@ TEST(LogMap, OfThePointItselfIsZero) {
     const LogMap found = log_map(surface, point, std::vector{point}, unreachable, {});
     EXPECT_EQ(found.distance[0], 0.0);
     EXPECT_EQ(found.vector[0], (Tangent{0.0, 0.0}));
+  }
+}
+
+/// By how many degrees two log maps of one point differ at most, but for a tenth of what both reach: beside
+/// the cut locus two paths are almost equally long. What only one of them reaches is an error.
+double angle_of_most(const LogMap& found, const LogMap& exact) {
+  std::vector<double> angles;
+  for (std::size_t i = 0; i < exact.vector.size(); ++i) {
+    EXPECT_EQ(found.distance[i] < unreachable, exact.distance[i] < unreachable) << i;
+    if (!(exact.distance[i] > 0.0 && exact.distance[i] < unreachable)) continue;
+    EXPECT_NEAR(std::hypot(found.vector[i][0], found.vector[i][1]), found.distance[i],
+                1e-9 * found.distance[i]);
+    const auto& [a, b] = found.vector[i];
+    const auto& [x, y] = exact.vector[i];
+    angles.push_back(std::abs(std::atan2(a * y - b * x, a * x + b * y)));
+  }
+  std::ranges::sort(angles);
+  return angles.empty() ? 0.0 : angles[angles.size() * 9 / 10] * 180.0 / std::numbers::pi;
+}
+
+const TaskOptions by_index{AnswerMethod::index};
+
+TEST(LogMap, FromAnIndexIsNearTheExactOne) {
+  // The index numbers faces and vertices anew, so its angles begin elsewhere, and faces are flipped here.
+  for (const test::Soup& soup :
+       {test::with_flipped_faces(test::torus(90, 44, 2.0, 0.7), 7), test::hills(60, 0.3),
+        test::two_components(test::icosphere(4), test::icosphere(3))}) {
+    Surface surface(test::make_index(soup, 6, 5), 2);
+    const std::vector<SurfacePoint> points = test::spread_points(soup);
+    for (const std::size_t i : {1, 2, 5, 6}) {
+      const LogMap exact = log_map(surface, points[i], {}, unreachable, {});
+      const LogMap found = log_map(surface, points[i], {}, unreachable, by_index);
+      EXPECT_LT(angle_of_most(found, exact), 1.5) << points[i].face << " " << points[i].vertex;
+      // Targets in faces lie between the corners of these.
+      const PointList ends(points);
+      const LogMap few = log_map(surface, points[i], ends, unreachable, by_index);
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        if (points[k].is_vertex()) {
+          const Index v = points[k].vertex;
+          EXPECT_EQ(few.distance[k], found.distance[v]);
+          EXPECT_TRUE(few.vector[k] == found.vector[v] || few.distance[k] == unreachable);
+          continue;
+        }
+        double nearest = few.distance[k] < unreachable ? unreachable : 0.0;
+        for (const Index v : soup.faces[points[k].face])
+          nearest = std::min(nearest, apart(few.vector[k], found.vector[v]));
+        EXPECT_LE(nearest, 1.5 * surface.mesh()->longest_edge_length());
+      }
+    }
+  }
+}
+
+TEST(LogMap, FromAnIndexOfAPlaneHasTheDirectionsOfStraightLines) {
+  const auto soup = test::plane_grid(90, 80, 2.0, 1.7, 0.2).soup;
+  Surface surface(test::make_index(soup, 8, 6));
+  for (const SurfacePoint& point : test::spread_points(soup)) {
+    if (point.is_vertex()) continue;  // on a border, angles are scaled
+    const LogMap found = log_map(surface, point, {}, unreachable, by_index);
+    const auto [x, y, normal] = tangent_frames(surface, std::vector{point})[0];
+    LogMap straight = found;
+    for (std::size_t i = 0; i < found.vector.size(); ++i) {
+      const Point step = minus(soup.positions[i], position_of(*surface.mesh(), point));
+      straight.vector[i] = {dot(step, x), dot(step, y)};
+      straight.distance[i] = length_of(step);
+    }
+    EXPECT_LT(angle_of_most(found, straight), 0.3);
+  }
+}
+
+TEST(LogMap, FromAnIndexOfAHostileMeshReachesWhatExactOnesReach) {
+  for (int repetition = 0; repetition < 6; ++repetition) {
+    const unsigned seed = std::random_device{}();
+    const test::HostileMesh hostile = test::hostile_mesh(seed, 500);
+    SCOPED_TRACE(std::to_string(seed) + ": " + hostile.sentence());
+    Surface surface(test::make_mesh(hostile.soup));
+    for (const Index v : test::random_vertices(surface.mesh()->vertex_count(), 3, seed)) {
+      const SurfacePoint point = SurfacePoint::at_vertex(v);
+      std::optional<LogMap> exact, found;
+      const auto refusal = test::refusal([&] { exact = log_map(surface, point, {}, unreachable, {}); });
+      EXPECT_EQ(test::refusal([&] { found = log_map(surface, point, {}, unreachable, by_index); }), refusal);
+      if (exact && found) angle_of_most(*found, *exact);
+    }
   }
 }
 
