@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "index/scans.h"
+#include "query/near_field.h"
 #include "support/parallel.h"
 
 namespace vorogeo {
@@ -193,8 +194,6 @@ namespace {
 constexpr double long_edge_for_nodes = 1.0;
 /// What is shorter by less is rounding of tables.
 constexpr double least_repair = 1e-4;
-/// A seed's leg holds unless a path from another seed is shorter than its own by more than tables err.
-constexpr double least_shortcut = 0.01;
 /// Groups of the transit table that a thread takes at a time.
 constexpr Index groups_at_once = 32;
 
@@ -253,8 +252,9 @@ void BorderField::reset(std::span<const Seed> seeds, double max_distance, int th
 /// In the order of distance, so that nodes beside those that a path has passed are known as well.
 void BorderField::find_search_legs(std::span<const Seed> seeds) {
   search_leg_.assign(data_.second.node_count(), no_leg);
+  // A seed's own holds unless a path from another seed is shorter by more than tables err.
   for (const Seed& seed : seeds) {
-    if (search_.distance(seed.node) >= (1.0 - least_shortcut) * seed.distance)
+    if (search_.distance(seed.node) >= NearField::shorter_outside * seed.distance)
       search_leg_[seed.node] = seed.first_leg;
   }
   const auto reached = search_.reached();
