@@ -108,8 +108,7 @@ class Descent {
     } catch (const InvalidInput& error) {
       const std::string why = error.what();
       throw InvalidInput("The descent to the middle of the points cannot go on. " +
-                         why.substr(0, why.rfind("; ")) +
-                         "; give other points, or take the best of them by medoid().");
+                         why.substr(0, why.rfind("; ")) + "; give other points, or take their medoid.");
     }
   }
 
