@@ -358,6 +358,10 @@ def test_directions_of_a_plane(mesh, capsys):
     np.testing.assert_allclose(distance, APART[middle], atol=1e-12)
     np.testing.assert_allclose(vector @ vector.T, away @ away.T, atol=1e-12)  # up to a turn
     np.testing.assert_allclose(np.exp(1j * angle) * distance, vector @ [1, 1j], atol=1e-12)
+    write("index", mesh, "--out", "plane.vgi", "--patches", "3", "2")
+    for options in ([], ["--exact"]):
+        write("directions", mesh, "--at", str(middle), "--index", "plane.vgi", "--out", "i.npy", *options)
+        np.testing.assert_allclose(np.load("i.npy"), vector, atol=1e-12 if options else 0.05)
     write("directions", mesh, "--at", str(middle), "--max-distance", "0.25", "--out", "d.ply")
     ply = meshio.read("d.ply").point_data
     near = APART[middle] <= 0.25

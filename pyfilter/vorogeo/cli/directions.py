@@ -19,6 +19,8 @@ def directions(task: MeshTask) -> Result:
     """Where all vertices lie as seen from a point: vectors in its frame; as quality their angle."""
     limit = task.options.get("max_distance")
     how: dict[str, Any] = {"max_distance": limit, "return_distance": True, "progress": task.progress}
+    if task.options.get("index") and not task.exact:
+        how["method"] = "index"
     vector, distance = task.surface.log_map(task.points("at"), **how)
     reached = np.isfinite(distance)
     angle = np.where(reached, np.arctan2(vector[:, 1], vector[:, 0]) % (2 * np.pi), np.inf)
