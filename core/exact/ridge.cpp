@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <numeric>
 #include <unordered_map>
@@ -19,14 +20,16 @@ namespace vorogeo {
 
 namespace {
 
-/// Angles at a vertex that differ by less are one; and what its angles lack to a full turn, from which on a
-/// line begins there.
+/// Angles at a vertex that differ by less are one; and what its angles lack to
+/// a full turn, from which on a line begins there.
 constexpr double same_direction = 1e-7;
 /// Distances that differ by less, relative to them, are equal.
 constexpr double equal_waves = 1e-10;
-/// Places this far off a line, relative to the greatest side of the face, are on it.
+/// Places this far off a line, relative to the greatest side of the face, are
+/// on it.
 constexpr double on_curve = 1e-7;
-/// Lines that meet this close to where one of them ends, relative to the same, meet there.
+/// Lines that meet this close to where one of them ends, relative to the same,
+/// meet there.
 constexpr double one_place = 1e-9;
 /// The least weight of a point where lines meet.
 constexpr double inside_face = 1e-12;
@@ -45,9 +48,10 @@ struct PlaneWave {
   }
 };
 
-/// Where three waves are equal, by their circles: the differences of their equations are linear in the place
-/// and in the distance. The nearer one of two such places; false if there is none.
-bool meet(const std::array<PlaneWave, 3>& waves, PlanePoint& place) {
+/// Where three waves are equal, by their circles: the differences of their
+/// equations are linear in the place and in the distance. One such place, two,
+/// or none, which are no numbers then.
+std::array<PlanePoint, 2> meetings_of(const std::array<PlaneWave, 3>& waves) {
   const PlanePoint u = minus_in_plane(waves[1].source, waves[0].source),
                    v = minus_in_plane(waves[2].source, waves[0].source);
   const double u_later = waves[1].offset - waves[0].offset, v_later = waves[2].offset - waves[0].offset;
@@ -61,20 +65,25 @@ bool meet(const std::array<PlaneWave, 3>& waves, PlanePoint& place) {
   const double a = dot_in_plane(by, by) - 1.0, b = dot_in_plane(at, by), c = dot_in_plane(at, at);
   const double root = std::sqrt(std::max(0.0, b * b - a * c));
   const double q = b < 0.0 ? root - b : -root - b;
-  double nearest = unreachable;
-  for (const double distance : {c / q, q / a}) {
-    if (distance >= std::max({0.0, u_later, v_later}) && distance < nearest) nearest = distance;
+  std::array<PlanePoint, 2> places{};
+  for (int i = 0; i < 2; ++i) {
+    const double distance = i == 0 ? c / q : q / a;
+    const bool is_there = distance >= std::max({0.0, u_later, v_later}) && distance < unreachable;
+    for (int k = 0; k < 2; ++k)
+      places[i][k] = is_there ? waves[0].source[k] + at[k] + distance * by[k] : std::nan("");
   }
-  place = {waves[0].source[0] + at[0] + nearest * by[0], waves[0].source[1] + at[1] + nearest * by[1]};
-  return std::isfinite(place[0] + place[1]);
+  return places;
 }
 
-// ---- The lines as a graph: all that lies between the areas of a wave tree, without its dead ends
+// ---- The lines as a graph: all that lies between the areas of a wave tree,
+// without its dead ends
 
-/// Where a line ends in a face: at a place on an edge, between two of its parts, or at a vertex.
+/// Where a line ends in a face: at a place on an edge, between two of its
+/// parts, or at a vertex.
 struct LineEnd {
   Index node;
-  Index gap;  ///< behind this piece of the border of the face
+  Index gap;             ///< behind this piece of the border of the face
+  bool is_dead = false;  ///< no line: one wave on both sides, which a vertex has parted
 };
 
 /// Lines in one face that meet: two ends are those of one line.
@@ -83,8 +92,8 @@ struct Meeting {
   std::vector<LineEnd> ends;  ///< in order round the face
 };
 
-/// Nodes are the numbers of parts, for the place where a part ends and the next one of its edge begins; and
-/// behind these, nodes at vertices.
+/// Nodes are the numbers of parts, for the place where a part ends and the next
+/// one of its edge begins; and behind these, nodes at vertices.
 class LineGraph {
  public:
   LineGraph(const ExactSolver::State& state, const WaveTree& tree)
@@ -123,14 +132,16 @@ class LineGraph {
     }
   }
 
-  // Sectors around a vertex: ends of edges and corners of faces that are one area there.
+  // Sectors around a vertex: ends of edges and corners of faces that are one
+  // area there.
 
   Index at_edge_end(Index edge, Index vertex) const {
     return 2 * edge + (geometry_.ends(edge)[0] == vertex ? 0 : 1);
   }
   Index at_corner(Index halfedge) const { return 2 * mesh_.edge_count() + halfedge; }
 
-  /// The vertex at the gap behind a piece of the border; no_index inside a side.
+  /// The vertex at the gap behind a piece of the border; no_index inside a
+  /// side.
   Index vertex_at_gap(Index face, Index gap) const {
     const auto& piece = border_[gap];
     const auto& next = border_[(gap + 1) % border_.size()];
@@ -162,7 +173,8 @@ class LineGraph {
     }
   }
 
-  /// A vertex belongs to the sector that it was reached through, and to those of paths that turn there.
+  /// A vertex belongs to the sector that it was reached through, and to those
+  /// of paths that turn there.
   void mark_own() {
     for (const Index corner : corners_) is_own_[sectors_.root(at_corner(corner))] = 1;
     for (Index v = 0; v < mesh_.vertex_count(); ++v) {
@@ -178,7 +190,8 @@ class LineGraph {
   }
   bool is_own(Index sector) { return is_own_[sectors_.root(sector)] != 0; }
 
-  /// Sectors that others reach, side by side: the lines around them go on at the vertex.
+  /// Sectors that others reach, side by side: the lines around them go on at
+  /// the vertex.
   void join_runs(Index face) {
     for_each_vertex_gap(face, [&](bool is_one, Index before, Index behind) {
       if (!is_one && !is_own(before) && !is_own(behind)) runs_.join(before, behind);
@@ -198,8 +211,8 @@ class LineGraph {
     if (vertex == no_index) return std::min(piece.part, next.part);
     const Index before = sector_at(face, piece, vertex), behind = sector_at(face, next, vertex);
     if (is_own(before) && is_own(behind)) {
-      // A line that ends here, as others do at the same vertex: paths go on between. Of a convex vertex,
-      // that paths pass on both sides, one stays.
+      // A line that ends here, as others do at the same vertex: paths go on
+      // between. Of a convex vertex, that paths pass on both sides, one stays.
       const bool stays = !has_leaf_[vertex] && begins_line(vertex);
       if (stays) has_leaf_[vertex] = true;
       return add_node(vertex, stays);
@@ -230,8 +243,8 @@ class LineGraph {
     }
   }
 
-  /// Lines that end where neither a convex vertex nor the border of the mesh is: on their two sides are parts
-  /// of one wave, which a vertex has parted.
+  /// Lines that end where neither a convex vertex nor the border of the mesh
+  /// is: on their two sides are parts of one wave, which a vertex has parted.
   void prune() {
     const std::size_t count = node_count();
     std::vector<Index> begin(count + 1, 0);
@@ -252,7 +265,8 @@ class LineGraph {
     for (Index e = 0; e < mesh_.edge_count(); ++e) {
       if (!mesh_.is_border_edge(e)) continue;
       for (Index p = tree_.first_part(e); p < tree_.first_part(e + 1); ++p) is_kept[p] = true;
-      // Where at its end another wave has the vertex, the line between them comes to the border there.
+      // Where at its end another wave has the vertex, the line between them
+      // comes to the border there.
       for (const Index sector : {2 * e, 2 * e + 1}) {
         if (const auto run = node_of_run_.find(runs_.root(sector)); run != node_of_run_.end())
           is_kept[run->second] = true;
@@ -287,9 +301,11 @@ class LineGraph {
     }
     for (std::size_t m = 0; m < meetings_.size(); ++m) {
       if (alive[m] == 0) meetings_[m].ends.clear();
-      std::erase_if(meetings_[m].ends, [&](const LineEnd& end) { return is_gone[end.node]; });
+      for (LineEnd& end : meetings_[m].ends) end.is_dead = is_gone[end.node];
     }
-    std::erase_if(meetings_, [](const Meeting& meeting) { return meeting.ends.empty(); });
+    std::erase_if(meetings_, [](const Meeting& meeting) {
+      return std::ranges::all_of(meeting.ends, &LineEnd::is_dead);
+    });
   }
 
   const ExactSolver::State& state_;
@@ -326,8 +342,11 @@ class RidgeMaker {
     std::size_t count = 0;
     for (const Meeting& meeting : graph_.meetings()) {
       if (++count % elements_per_checkpoint == 0) checkpoint();
-      if (meeting.ends.size() == 2) {
-        add_line(point_of(meeting.ends[0].node), point_of(meeting.ends[1].node));
+      ends_.clear();
+      std::ranges::copy_if(meeting.ends, std::back_inserter(ends_),
+                           [](const LineEnd& end) { return !end.is_dead; });
+      if (ends_.size() == 2) {
+        add_line(point_of(ends_[0].node), point_of(ends_[1].node));
       } else {
         join(meeting);
       }
@@ -336,10 +355,28 @@ class RidgeMaker {
   }
 
  private:
+  /// What is between two lines as one goes round a face: a wave, or several
+  /// into which vertices have parted it, each to the left of the line to the
+  /// next.
+  struct Side {
+    struct Parting {
+      PlanePoint place, inwards;
+    };
+    std::vector<PlaneWave> waves;
+    std::vector<Parting> partings;
+
+    const PlaneWave& at(const PlanePoint& place) const {
+      std::size_t i = 0;
+      while (i < partings.size() &&
+             cross_in_plane(partings[i].inwards, minus_in_plane(place, partings[i].place)) < 0.0)
+        ++i;
+      return waves[i];
+    }
+  };
   struct End {
     PlanePoint place;
     Index point;
-    std::array<PlaneWave, 2> waves;  ///< before and behind the line as one goes round the face
+    Side behind;  ///< up to the next end
   };
 
   Index add_point(const SurfacePoint& point, double distance, double angle) {
@@ -376,7 +413,8 @@ class RidgeMaker {
     return low;
   }
 
-  /// The greatest angle between directions in which shortest paths arrive at a vertex side by side.
+  /// The greatest angle between directions in which shortest paths arrive at a
+  /// vertex side by side.
   double angle_at(Index vertex) const {
     const double distance = state_.vertices[vertex].distance;
     if (!TangentFrame::exists_at(mesh_, vertex) || distance == unreachable) return 0.0;
@@ -437,24 +475,39 @@ class RidgeMaker {
             part.offset};
   }
 
+  /// In order round the face, beginning with a line that lives.
   std::vector<End> ends_of(const Meeting& meeting, const FacePlane& plane) {
     tree_.border_of(meeting.face, border_);
     std::vector<End> ends;
-    for (const auto& [node, gap] : meeting.ends) {
+    const auto first = std::ranges::find(meeting.ends, false, &LineEnd::is_dead) - meeting.ends.begin();
+    for (std::size_t k = 0; k < meeting.ends.size(); ++k) {
+      const auto& [node, gap, is_dead] = meeting.ends[(first + k) % meeting.ends.size()];
       const auto& piece = border_[gap];
-      const auto& next = border_[(gap + 1) % border_.size()];
-      End end;
-      end.point = point_of(node);
-      end.waves = {wave_of(piece, meeting.face, plane), wave_of(next, meeting.face, plane)};
+      const PlaneWave before = wave_of(piece, meeting.face, plane),
+                      behind = wave_of(border_[(gap + 1) % border_.size()], meeting.face, plane);
+      PlanePoint place{}, inwards{};
       if (graph_.is_vertex(node)) {
         const auto& corners = mesh_.face_vertices(meeting.face);
-        end.place = plane.corner[std::ranges::find(corners, graph_.vertex(node)) - corners.begin()];
+        place = plane.corner[std::ranges::find(corners, graph_.vertex(node)) - corners.begin()];
+        for (const PlanePoint& corner : plane.corner) {
+          for (int c = 0; c < 2; ++c) inwards[c] += corner[c] - place[c];
+        }
       } else {
         const EdgeAxes axes(geometry_, plane, meeting.face, mesh_.edge_of(3 * meeting.face + piece.side));
         const double x = tree_.part(node).end;
-        end.place = {axes.origin[0] + x * axes.along[0], axes.origin[1] + x * axes.along[1]};
+        place = {axes.origin[0] + x * axes.along[0], axes.origin[1] + x * axes.along[1]};
+        inwards = axes.inwards;
       }
-      ends.push_back(end);
+      if (!is_dead) {
+        ends.push_back({place, point_of(node), {{behind}, {}}});
+        continue;
+      }
+      // Parted along a ray from the farther of the two places that they seem to
+      // come from.
+      PlanePoint ray = minus_in_plane(place, (before.offset < behind.offset ? before : behind).source);
+      if (dot_in_plane(ray, inwards) < 0.0) ray = {-ray[0], -ray[1]};
+      ends.back().behind.waves.push_back(behind);
+      ends.back().behind.partings.push_back({place, ray});
     }
     return ends;
   }
@@ -471,40 +524,74 @@ class RidgeMaker {
     for (const End& end : ends) {
       for (int c = 0; c < 2; ++c) middle[c] += end.place[c] / static_cast<double>(ends.size());
     }
-    join_at(meeting.face, plane, size, middle, ends);
+    double angle = 0.0;
+    for (const End& end : ends) angle = std::max(angle, ridge_.angle[end.point]);
+    join_at(meeting.face, plane, size, middle, angle, ends);
   }
 
-  /// Of three lines and more the first two that meet, neighbours: no other wave is nearer there. What lies
-  /// between them ends, and one line goes on. \return false if there are none.
+  /// Of three lines and more the first two that meet, neighbours: no other wave
+  /// is nearer there. What lies between them ends, and one line goes on.
+  /// \return false if there are none.
   bool join_two(Index face, const FacePlane& plane, double size, std::vector<End>& ends) {
-    double most = -unreachable;
-    std::size_t first = ends.size();
+    const std::size_t count = ends.size();
+    double most = -unreachable, angle = 0.0;
+    std::size_t first = count;
     PlanePoint place{};
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-      const auto &one = ends[i].waves, &other = ends[(i + 1) % ends.size()].waves;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t next = (i + 1) % count;
+      const std::array<const Side*, 3> sides{&ends[(i + count - 1) % count].behind, &ends[i].behind,
+                                             &ends[next].behind};
       PlanePoint at{};
-      if (!meet({one[0], one[1], other[1]}, at) || !is_inside(plane, at)) continue;
+      std::array<PlaneWave, 3> waves{};
+      if (!meet(sides, plane, at, waves)) continue;
       double nearest = unreachable;
-      for (const End& end : ends) {
-        for (const PlaneWave& wave : end.waves) nearest = std::min(nearest, wave.distance(at));
-      }
-      double room = nearest - one[0].distance(at);
+      for (const End& end : ends) nearest = std::min(nearest, end.behind.at(at).distance(at));
+      double room = nearest - waves[0].distance(at);
       if (!(room > -on_curve * size)) continue;
-      // Of equal ones where one of them ends, as on a border, which lines meet without crossing it.
-      for (const std::size_t k : {i, (i + 1) % ends.size()}) {
+      // Of equal ones where one of them ends, as on a border, which lines meet
+      // without crossing it.
+      for (const std::size_t k : {i, next}) {
         if (is_at(ends[k], at, size)) room = unreachable;
       }
       if (!(room > most)) continue;
       most = room;
       first = i;
       place = at;
+      angle = 0.0;
+      for (int k = 0; k < 3; ++k) {
+        angle = std::max(angle, angle_in_plane(minus_in_plane(waves[k].source, at),
+                                               minus_in_plane(waves[(k + 1) % 3].source, at)));
+      }
     }
-    if (first == ends.size()) return false;
-    const std::size_t second = (first + 1) % ends.size();
+    if (first == count) return false;
+    const std::size_t second = (first + 1) % count;
     const std::array both{ends[first], ends[second]};
-    ends[first] = {place, join_at(face, plane, size, place, both), {both[0].waves[0], both[1].waves[1]}};
+    ends[first] = {place, join_at(face, plane, size, place, angle, both), both[1].behind};
     ends.erase(ends.begin() + static_cast<std::ptrdiff_t>(second));
     return true;
+  }
+
+  /// Where the waves of three sides meet in the face, each where it is that of
+  /// its side.
+  static bool meet(const std::array<const Side*, 3>& sides, const FacePlane& plane, PlanePoint& place,
+                   std::array<PlaneWave, 3>& waves) {
+    constexpr int most_tries = 8;
+    for (int k = 0; k < 3; ++k) waves[k] = k == 0 ? sides[k]->waves.back() : sides[k]->waves.front();
+    for (int tries = 0; tries < most_tries; ++tries) {
+      const auto places = meetings_of(waves);
+      const auto inside =
+          std::ranges::find_if(places, [&](const PlanePoint& at) { return is_inside(plane, at); });
+      if (inside == places.end()) return false;
+      place = *inside;
+      bool are_there = true;
+      for (int k = 0; k < 3; ++k) {
+        const PlaneWave& there = sides[k]->at(place);
+        are_there = are_there && there.source == waves[k].source && there.offset == waves[k].offset;
+        waves[k] = there;
+      }
+      if (are_there) return true;
+    }
+    return false;
   }
 
   static bool is_at(const End& end, const PlanePoint& place, double size) {
@@ -516,13 +603,13 @@ class RidgeMaker {
   }
 
   /// \return the point there.
-  Index join_at(Index face, const FacePlane& plane, double size, const PlanePoint& place,
+  Index join_at(Index face, const FacePlane& plane, double size, const PlanePoint& place, double angle,
                 std::span<const End> ends) {
     // Several lines that end at one vertex stay apart.
     const auto at_end = std::ranges::find_if(ends, [&](const End& end) {
       return is_at(end, place, size) && std::ranges::count(ends, end.point, &End::point) == 1;
     });
-    const Index junction = at_end == ends.end() ? add_junction(face, plane, ends, place) : at_end->point;
+    const Index junction = at_end == ends.end() ? add_junction(face, plane, place, angle) : at_end->point;
     for (const End& end : ends) {
       if (end.point != junction) add_line(end.point, junction);
     }
@@ -538,19 +625,15 @@ class RidgeMaker {
     return {area(place, b, c) / whole, area(a, place, c) / whole, area(a, b, place) / whole};
   }
 
-  Index add_junction(Index face, const FacePlane& plane, std::span<const End> ends, const PlanePoint& place) {
+  Index add_junction(Index face, const FacePlane& plane, const PlanePoint& place, double angle) {
     auto weights = weights_of(plane, place);
-    double sum = 0.0, angle = 0.0;
-    // Inside: if it were on a border, it would count as where lines come to that.
+    double sum = 0.0;
+    // Inside: if it were on a border, it would count as where lines come to
+    // that.
     for (double& weight : weights) sum += weight = std::max(weight, inside_face);
     for (double& weight : weights) weight /= sum;
     // A face without area.
     if (!std::isfinite(weights[0] + weights[1] + weights[2])) weights = {1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0};
-    for (const End& end : ends) {
-      const auto& [one, other] = end.waves;
-      angle = std::max(
-          angle, angle_in_plane(minus_in_plane(one.source, place), minus_in_plane(other.source, place)));
-    }
     const auto at = SurfacePoint::in_face(face, weights);
     return add_point(at, solver_.distance(at), angle);
   }
@@ -584,11 +667,12 @@ class RidgeMaker {
   LineGraph graph_;
   Ridge ridge_;
   std::vector<WaveTree::Piece> border_;
+  std::vector<LineEnd> ends_;  ///< that live, of a meeting
   std::vector<Index> point_of_node_;
 };
 
-/// Sources inside faces where one is nearest to nothing on the border of its face, so that no area tells of
-/// it.
+/// Sources inside faces where one is nearest to nothing on the border of its
+/// face, so that no area tells of it.
 std::vector<Index> sources_of_enclosed_regions(const ExactSolver::State& state, const WaveTree& tree) {
   const auto is_inside = [&](Index source) {
     const SurfacePoint& point = state.sources[source].point;

@@ -371,6 +371,33 @@ TEST_F(RidgeOf, SourcesWithinAFaceHaveTheirVoronoiDiagramInAMetric) {
   EXPECT_NEAR(std::ranges::max(twice.distance), 2.0 * std::ranges::max(ridge.distance), 1e-9);
 }
 
+TEST_F(RidgeOf, LinesMeetWhereThreeSourcesAreAsNear) {
+  // On a torus with saddles, behind which waves are parted. By Euler's formula, regions that are disks meet
+  // by threes at twice as many points as there are sources.
+  int meetings = 0;
+  for (int round = 0; round < 4; ++round) {
+    const auto mesh = test::make_mesh(shaken(test::torus(24, 12, 2.0, 0.8), 0.1));
+    std::vector<SurfacePoint> sources;
+    for (int k = 0; k < 12; ++k) sources.push_back(any_point(*mesh));
+    const Ridge ridge = ridge_from(mesh, sources);
+    std::vector<ExactSolver> fields;
+    for (const SurfacePoint& source : sources) {
+      fields.emplace_back(mesh);
+      fields.back().run(std::vector<ExactSource>{{validated(*mesh, source)}});
+    }
+    const auto degree = degrees(ridge);
+    for (std::size_t p = 0; p < degree.size(); ++p) {
+      if (degree[p] < 3) continue;
+      std::vector<double> distance;
+      for (const ExactSolver& field : fields) distance.push_back(field.distance(ridge.points[p]));
+      std::ranges::sort(distance);
+      EXPECT_NEAR(ridge.distance[p], distance[0], 1e-9) << "seed " << seed_;
+      if (distance[2] - distance[0] < 1e-9) ++meetings;
+    }
+  }
+  EXPECT_GT(meetings, 4 * 24 * 3 / 4) << "seed " << seed_;
+}
+
 TEST_F(RidgeOf, ComponentsHaveTheirOwn) {
   const test::Soup grid = test::plane_grid(6, 6, 6.0, 6.0).soup;
   const auto count = static_cast<Index>(grid.positions.size());
