@@ -502,12 +502,21 @@ class RidgeMaker {
         ends.push_back({place, point_of(node), {{behind}, {}}});
         continue;
       }
-      // Parted along a ray from the farther of the two places that they seem to
-      // come from.
-      PlanePoint ray = minus_in_plane(place, (before.offset < behind.offset ? before : behind).source);
-      if (dot_in_plane(ray, inwards) < 0.0) ray = {-ray[0], -ray[1]};
-      ends.back().behind.waves.push_back(behind);
-      ends.back().behind.partings.push_back({place, ray});
+      // Parted along a ray, from where the waves on its two sides seem to come.
+      Side& side = ends.back().behind;
+      const auto part = [&](const PlaneWave& wave, const PlaneWave& farther) {
+        PlanePoint ray = minus_in_plane(place, farther.source);
+        if (dot_in_plane(ray, inwards) < 0.0) ray = {-ray[0], -ray[1]};
+        side.waves.push_back(wave);
+        side.partings.push_back({place, ray});
+      };
+      if (graph_.is_vertex(node) && before.source != place && behind.source != place) {
+        // At a corner, between them is its own wave, which need not come to the border again.
+        part({place, state_.vertices[graph_.vertex(node)].distance}, before);
+        part(behind, behind);
+      } else {
+        part(behind, before.offset < behind.offset ? before : behind);
+      }
     }
     return ends;
   }
@@ -571,25 +580,22 @@ class RidgeMaker {
     return true;
   }
 
-  /// Where the waves of three sides meet in the face, each where it is that of
-  /// its side.
+  /// Where the waves of three sides meet in the face, each where it is that of its side.
   static bool meet(const std::array<const Side*, 3>& sides, const FacePlane& plane, PlanePoint& place,
                    std::array<PlaneWave, 3>& waves) {
-    constexpr int most_tries = 8;
-    for (int k = 0; k < 3; ++k) waves[k] = k == 0 ? sides[k]->waves.back() : sides[k]->waves.front();
-    for (int tries = 0; tries < most_tries; ++tries) {
-      const auto places = meetings_of(waves);
-      const auto inside =
-          std::ranges::find_if(places, [&](const PlanePoint& at) { return is_inside(plane, at); });
-      if (inside == places.end()) return false;
-      place = *inside;
-      bool are_there = true;
-      for (int k = 0; k < 3; ++k) {
-        const PlaneWave& there = sides[k]->at(place);
-        are_there = are_there && there.source == waves[k].source && there.offset == waves[k].offset;
-        waves[k] = there;
+    for (const PlaneWave& one : sides[0]->waves) {
+      for (const PlaneWave& two : sides[1]->waves) {
+        for (const PlaneWave& three : sides[2]->waves) {
+          for (const PlanePoint& at : meetings_of({one, two, three})) {
+            if (!is_inside(plane, at) || &sides[0]->at(at) != &one || &sides[1]->at(at) != &two ||
+                &sides[2]->at(at) != &three)
+              continue;
+            place = at;
+            waves = {one, two, three};
+            return true;
+          }
+        }
       }
-      if (are_there) return true;
     }
     return false;
   }
