@@ -567,7 +567,7 @@ def test_moved_turned_scaled_and_renumbered_all_directions_are_the_same():
     np.testing.assert_allclose(
         np.linalg.norm(uv - 0.5, axis=1), np.linalg.norm(new_uv[number] - 0.5, axis=1), atol=1e-9
     )
-    assert (np.abs(stretch[rows] - new_stretch) < 1e-6)[np.isfinite(new_stretch)].mean() > 0.9
+    assert (np.abs(stretch[rows] - new_stretch) < 1e-6)[np.isfinite(new_stretch)].mean() > 0.7
     ring = [29, 35, 113, 107]
     curve = one.path_through(ring, closed=True)
     again = other.path_through(number[ring], closed=True)
