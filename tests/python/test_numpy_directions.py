@@ -278,6 +278,38 @@ def test_an_index_answers_for_log_maps_where_it_is_asked_to():
         np.testing.assert_array_equal(row, vector[point])
 
 
+def test_log_maps_from_an_index_leave_its_fields_alone_and_are_the_same_from_its_file(tmp_path):
+    vertices, faces = bent_grid(70, 60)
+    index = vorogeo.GeodesicIndex(vertices, faces, threads=2)
+    point = vorogeo.SurfacePoints([900], [[0.2, 0.3, 0.5]])
+    field, regions = index.distance_field(2100), index.voronoi([5, 2100, 4100]).vertex_region
+    vector = index.log_map(point, method="index")
+    np.testing.assert_array_equal(index.distance_field(2100), field)
+    np.testing.assert_array_equal(index.voronoi([5, 2100, 4100]).vertex_region, regions)
+    index.save(tmp_path / "grid.vgi")
+    loaded = vorogeo.GeodesicIndex.load(tmp_path / "grid.vgi", vertices, faces, threads=1)
+    np.testing.assert_array_equal(loaded.log_map(point, method="index"), vector)
+
+
+def test_log_maps_from_an_index_count_in_its_metric_up_to_a_limit_and_to_points_in_faces():
+    vertices, faces = plane_grid(70, 60, 1.4, 1.2)
+    index = vorogeo.GeodesicIndex(vertices, faces, metric=vorogeo.VertexCost(np.full(len(vertices), 3.0)))
+    rng = np.random.default_rng()
+    targets = vorogeo.SurfacePoints(rng.integers(len(faces), size=500), rng.dirichlet([1, 1, 1], 500))
+    source = int(rng.choice(np.flatnonzero(((vertices > 0.1) & (vertices < [1.3, 1.1, 1]) | [0, 0, 1]).all(axis=1))))
+    frame = vorogeo.Surface(vertices, faces).tangent_frames(source)[0]
+    for ends, there in ((None, vertices), (targets, targets.positions(vertices, faces))):
+        straight = 3 * (there - vertices[source])
+        length = np.linalg.norm(straight, axis=1)
+        vector, distance = index.log_map(source, ends, 1.5, return_distance=True, method="index")
+        near, far = length < 1.49, length > 1.51
+        assert np.isfinite(vector[near]).all()
+        assert np.isnan(vector[far]).all()
+        assert np.isinf(distance[far]).all()
+        apart = np.linalg.norm(in_space(frame, vector) - straight, axis=1)[near & (length > 0)]
+        assert np.degrees((apart / length[near & (length > 0)]).mean()) < 0.3
+
+
 @pytest.mark.parametrize(
     ("call", "message"),
     [
