@@ -29,7 +29,10 @@ export CONAN_HOME="$work/conan"
 conan profile detect --force >/dev/null 2>&1
 options=(-c tools.cmake.cmaketoolchain:user_presets= -s compiler.cppstd=20 -s build_type=Release -c "tools.build:jobs=${VOROGEO_JOBS:-$(nproc)}" -c tools.cmake.cmaketoolchain:generator=Ninja)
 conan create build/recipes/conan "${options[@]}" >"$work/conan.log" 2>&1 || { tail -n 30 "$work/conan.log"; exit 1; }
-conan install --requires "vorogeo/$(cat VERSION)" -g CMakeDeps -g CMakeToolchain -of "$work/sample" "${options[@]}" >"$work/sample.log" 2>&1
+# Conan leaves a CMakeUserPresets.json where it is called.
+mkdir -p "$work/sample"
+(cd "$work/sample" && conan install --requires "vorogeo/$(cat ../../../VERSION)" -g CMakeDeps -g CMakeToolchain -of . "${options[@]}") \
+  >"$work/sample.log" 2>&1
 cmake -G Ninja -S samples/cpp -B "$work/sample" "-DCMAKE_TOOLCHAIN_FILE=$work/sample/conan_toolchain.cmake" -DCMAKE_BUILD_TYPE=Release >>"$work/sample.log"
 cmake --build "$work/sample" --target first_field >>"$work/sample.log"
 "$work/sample/first_field"
