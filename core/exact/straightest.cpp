@@ -376,7 +376,7 @@ void trace(std::span<const LineStart> starts, AtBorder at_border, const FaceStep
     const Tangent& vector = starts[traced.number].vector;
     ends[traced.number] = {traced.line.end(), std::hypot(vector[0], vector[1]) - traced.line.left()};
   };
-  for (int round = 1;; ++round) {
+  for (std::size_t round = 1;; ++round) {
     if (round % 1024 == 0) checkpoint();
     while (gliding.size() < lines_side_by_side && next < starts.size()) {
       const auto& [frame, vector] = starts[next];

@@ -90,11 +90,10 @@ struct StraightCrossing {
   Number part;  ///< of the edge that lies before the line, if it crosses
 };
 
-///
-/// Let s and t be the distances of source and target from the vertex, and phi the sum of the angles of both
-/// straight lines with the edge. By the law of cosines the straight line r between them has (s + t)^2 - r^2 =
-/// 2 s t (1 + cos phi). The gain s + t - r is found from that with everything divided by s, which may be much
-/// longer than the rest; `excess` is t (1 + cos phi).
+// Let s and t be the distances of source and target from the vertex, and phi the sum of the angles of both
+// straight lines with the edge. By the law of cosines the straight line r between them has (s + t)^2 - r^2 =
+// 2 s t (1 + cos phi). The gain s + t - r is found from that with everything divided by s, which may be much
+// longer than the rest; `excess` is t (1 + cos phi).
 template <class Number>
 VOROGEO_INLINE StraightCrossing<Number> straight_crossing(Number source, Number target,
                                                           const BorderSample<Number>& neighbour,

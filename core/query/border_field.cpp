@@ -249,7 +249,9 @@ void BorderField::reset(std::span<const Seed> seeds, double max_distance, int th
   }
 }
 
-/// In the order of distance, so that nodes beside those that a path has passed are known as well.
+/// In the order of distance: from the predecessor, or where that follows, as at equal distances and where
+/// tables contradict each other, from the best of those that are known. What had none of them before it takes
+/// one behind it.
 void BorderField::find_search_legs(std::span<const Seed> seeds) {
   search_leg_.assign(data_.second.node_count(), no_leg);
   // A seed's own holds unless a path from another seed is shorter by more than tables err.
@@ -261,18 +263,31 @@ void BorderField::find_search_legs(std::span<const Seed> seeds) {
   std::vector<Index> order(reached.begin(), reached.end());
   std::ranges::sort(order, {}, [&](Index node) { return search_.distance(node); });
   const FirstLegs legs = legs_by(search_leg_);
-  std::vector<Index> passed;
-  for (const Index node : order) {
-    // At equal distances the predecessor may follow.
-    for (Index at = node; at >= 0 && std::isnan(search_leg_[at]) && passed.size() <= order.size();
-         at = search_.predecessor(at)) {
-      passed.push_back(at);
-    }
-    for (; !passed.empty(); passed.pop_back()) {
-      const Index at = passed.back();
-      if (search_.predecessor(at) >= 0) search_leg_[at] = legs.across(search_.crossing_before(at));
+  for (const bool again : {false, true}) {
+    for (const Index node : order) {
+      if (!std::isnan(search_leg_[node])) continue;
+      const Index predecessor = search_.predecessor(node);
+      const bool is_known = !again && predecessor >= 0 && !std::isnan(search_leg_[predecessor]);
+      search_leg_[node] = is_known ? legs.across(search_.crossing_before(node)) : leg_beside(node);
     }
   }
+}
+
+/// Of the node of its patches with the least sum, among those whose leg is known; NaN if none is.
+double BorderField::leg_beside(Index node) const {
+  const PatchLayer& layer = data_.second;
+  double least = unreachable, leg = no_leg;
+  for (const PatchRow& at : layer.patches_of(node)) {
+    const PatchLayer::Column to = layer.column_of(at.patch, at.row);
+    const auto nodes = layer.nodes(at.patch);
+    for (Index row = 0; row < layer.border_size(at.patch); ++row) {
+      const double sum = search_.distance(nodes[row]) + to.distance(row);
+      if (std::isnan(search_leg_[nodes[row]]) || !(sum < least)) continue;
+      least = sum;
+      leg = search_leg_[nodes[row]];
+    }
+  }
+  return leg;
 }
 
 /// As in a sweep, nodes right behind the middle of a long border edge may have been reached over another

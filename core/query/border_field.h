@@ -227,6 +227,7 @@ class BorderField {
     return wants_legs() ? FirstLegs{leg, full_turn_} : FirstLegs{};
   }
   void find_search_legs(std::span<const Seed> seeds);
+  double leg_beside(Index node) const;
   void cross_long_edges(Index patch);
   void cross_transit_table(int threads);
   void find_bases();

@@ -139,20 +139,32 @@ double IndexField::first_leg(Index vertex) const {
 double IndexField::first_leg(const SurfacePoint& user) const {
   if (user.is_vertex()) return first_leg(user.vertex);
   const SurfacePoint point = data_.surface.inner_point(user);
-  if (near_.halo().mask()[point.face] != 0) {
+  bool in_halo = false;
+  for_each_face_at(*data_.surface.mesh, point, [&](Index face, const std::array<double, 3>&) {
+    in_halo = in_halo || near_.halo().mask()[face] != 0;
+  });
+  if (in_halo) {
     const double exact = near_.solver().distance(point);
     if (exact < unreachable && exact <= distance(user)) return near_.solver().first_leg(point);
   }
+  // As at a border: over the corner with the least sum, or the side beside it that a straight line crosses.
   const FacePiece piece(data_.surface, point.face, point.barycentric);
-  int nearest = 0;
-  for (int i : {1, 2}) {
-    if (distance_[piece.place[i]] < distance_[piece.place[nearest]]) nearest = i;
+  const std::array<double, 3> to_corner = distances_in_triangle(piece.length, piece.weights);
+  std::array<double, 3> from_source{};
+  int least = 0;
+  for (int i : {0, 1, 2}) {
+    from_source[i] = distance_[piece.place[i]];
+    if (from_source[i] + to_corner[i] < from_source[least] + to_corner[least]) least = i;
   }
-  const double leg = leg_[piece.place[nearest]];
-  double turn = 0.0;
-  for (int i : {0, 1, 2})
-    turn += piece.weights[i] * FirstLegs::difference(leg, leg_[piece.place[i]], full_turn_);
-  return leg + turn;
+  BorderCrossing at{piece.place[least]};
+  for (int step : {1, 2}) {
+    const int other = (least + step) % 3;
+    const double side = piece.length[step == 1 ? least : other];
+    at.offer(piece.place[other],
+             straight_crossing<double>(from_source[least], to_corner[least],
+                                       {from_source[other], to_corner[other], side}, 0.0));
+  }
+  return FirstLegs{leg_, full_turn_}.across(at);
 }
 
 double IndexField::distance(const SurfacePoint& user) const {

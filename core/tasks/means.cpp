@@ -329,7 +329,7 @@ std::vector<double> least_energies(Workers& workers, const PointList& points, st
       const SurfacePoint& from = points[open[k]];
       rows[k] = workers.few_distances(from, points, limit[open[k]], worker);
       for (std::size_t j = 0; j < count; ++j) {
-        if (!(weights[j] > 0.0) || rows[k][j] < unreachable) continue;
+        if (!(weights[j] > 0.0) || rows[k][j] < unreachable || limit[open[k]] == unreachable) continue;
         rows[k] = workers.few_distances(from, points, unreachable, worker);  // the limit was an index's
         break;
       }

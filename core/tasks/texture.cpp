@@ -37,6 +37,7 @@ std::array<double, 2> stretch_of(const Tangent& u, const Tangent& v, const Point
 TextureCoordinates texture_coordinates(Surface& surface, const SurfacePoint& point,
                                        const Placement& placement, const TaskOptions& options) {
   const auto& [radius, rotation, scale] = placement;
+  require_exact(options, "Texture coordinates are");
   require_above_0(radius, "The radius");
   require_above_0(scale, "The scale");
   if (!std::isfinite(rotation)) {

@@ -136,6 +136,24 @@ TEST(LogMap, FromAnIndexOfAPlaneHasTheDirectionsOfStraightLines) {
   }
 }
 
+TEST(LogMap, FromAnIndexHasADirectionWhereTablesContradictEachOther) {
+  // Needles in small patches: distances of some border nodes follow from one another in a circle.
+  test::Soup soup = test::icosphere(3);
+  for (Point& position : soup.positions) position[2] *= 100.0;
+  std::mt19937 random(std::random_device{}());
+  std::lognormal_distribution<double> cost(0.0, 0.5);
+  std::vector<double> costs;
+  for (std::size_t v = 0; v < soup.positions.size(); ++v) costs.push_back(cost(random));
+  const auto mesh = std::make_shared<const Mesh>(soup.positions, soup.faces,
+                                                 lengths_by_cost(soup.positions, soup.faces, costs));
+  Surface surface(mesh, {.first_layer_patches = 9, .second_layer_patches = 512});
+  for (const Index v : {3, 77, 150, 200}) {
+    const SurfacePoint point = SurfacePoint::at_vertex(v);
+    const LogMap found = log_map(surface, point, {}, unreachable, by_index);
+    angle_of_most(found, log_map(surface, point, {}, unreachable, {}));
+  }
+}
+
 TEST(LogMap, FromAnIndexOfAHostileMeshReachesWhatExactOnesReach) {
   for (int repetition = 0; repetition < 6; ++repetition) {
     const unsigned seed = std::random_device{}();
