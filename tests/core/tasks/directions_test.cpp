@@ -240,7 +240,9 @@ TEST(Directions, AreRefusedByName) {
             "Point 0 is vertex 99999, which does not exist: the mesh has vertices 0 to 98.");
   EXPECT_NE(test::refusal([&] { log_map(surface, from, {}, -1.0, {}); }).find("must be at least 0"),
             std::string::npos);
-  EXPECT_EQ(test::refusal([&] { log_map(surface, from, {}, 1.0, {.by = AnswerMethod::index}); }),
+  EXPECT_EQ(test::refusal([&] { log_map(surface, from, {}, 1.0, {.by = AnswerMethod::quick}); }),
+            "The quick method has no directions; choose exact, or an index.");
+  EXPECT_EQ(test::refusal([&] { gradient(surface, one, {}, 1.0, {.by = AnswerMethod::index}); }),
             "Directions are exact: an index and the quick method have none.");
   EXPECT_EQ(test::refusal([&] {
               exp_map(surface, one, {{0.0, 1.0}, {std::nan(""), 0.0}}, AtBorder::end, {});
