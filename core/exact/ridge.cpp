@@ -20,16 +20,14 @@ namespace vorogeo {
 
 namespace {
 
-/// Angles at a vertex that differ by less are one; and what its angles lack to
-/// a full turn, from which on a line begins there.
+/// Angles at a vertex that differ by less are one; and what its angles lack to a full turn, from which on a
+/// line begins there.
 constexpr double same_direction = 1e-7;
 /// Distances that differ by less, relative to them, are equal.
 constexpr double equal_waves = 1e-10;
-/// Places this far off a line, relative to the greatest side of the face, are
-/// on it.
+/// Places this far off a line, relative to the greatest side of the face, are on it.
 constexpr double on_curve = 1e-7;
-/// Lines that meet this close to where one of them ends, relative to the same,
-/// meet there.
+/// Lines that meet this close to where one of them ends, relative to the same, meet there.
 constexpr double one_place = 1e-9;
 /// The least weight of a point where lines meet.
 constexpr double inside_face = 1e-12;
@@ -48,9 +46,8 @@ struct PlaneWave {
   }
 };
 
-/// Where three waves are equal, by their circles: the differences of their
-/// equations are linear in the place and in the distance. One such place, two,
-/// or none, which are no numbers then.
+/// Where three waves are equal, by their circles: the differences of their equations are linear in the place
+/// and in the distance. One such place, two, or none, which are no numbers then.
 std::array<PlanePoint, 2> meetings_of(const std::array<PlaneWave, 3>& waves) {
   const PlanePoint u = minus_in_plane(waves[1].source, waves[0].source),
                    v = minus_in_plane(waves[2].source, waves[0].source);
@@ -78,8 +75,7 @@ std::array<PlanePoint, 2> meetings_of(const std::array<PlaneWave, 3>& waves) {
 // ---- The lines as a graph: all that lies between the areas of a wave tree,
 // without its dead ends
 
-/// Where a line ends in a face: at a place on an edge, between two of its
-/// parts, or at a vertex.
+/// Where a line ends in a face: at a place on an edge, between two of its parts, or at a vertex.
 struct LineEnd {
   Index node;
   Index gap;             ///< behind this piece of the border of the face
@@ -92,8 +88,8 @@ struct Meeting {
   std::vector<LineEnd> ends;  ///< in order round the face
 };
 
-/// Nodes are the numbers of parts, for the place where a part ends and the next
-/// one of its edge begins; and behind these, nodes at vertices.
+/// Nodes are the numbers of parts, for the place where a part ends and the next one of its edge begins; and
+/// behind these, nodes at vertices.
 class LineGraph {
  public:
   LineGraph(const ExactSolver::State& state, const WaveTree& tree)
@@ -132,16 +128,14 @@ class LineGraph {
     }
   }
 
-  // Sectors around a vertex: ends of edges and corners of faces that are one
-  // area there.
+  // Sectors around a vertex: ends of edges and corners of faces that are one area there.
 
   Index at_edge_end(Index edge, Index vertex) const {
     return 2 * edge + (geometry_.ends(edge)[0] == vertex ? 0 : 1);
   }
   Index at_corner(Index halfedge) const { return 2 * mesh_.edge_count() + halfedge; }
 
-  /// The vertex at the gap behind a piece of the border; no_index inside a
-  /// side.
+  /// The vertex at the gap behind a piece of the border; no_index inside a side.
   Index vertex_at_gap(Index face, Index gap) const {
     const auto& piece = border_[gap];
     const auto& next = border_[(gap + 1) % border_.size()];
@@ -173,8 +167,7 @@ class LineGraph {
     }
   }
 
-  /// A vertex belongs to the sector that it was reached through, and to those
-  /// of paths that turn there.
+  /// A vertex belongs to the sector that it was reached through, and to those of paths that turn there.
   void mark_own() {
     for (const Index corner : corners_) is_own_[sectors_.root(at_corner(corner))] = 1;
     for (Index v = 0; v < mesh_.vertex_count(); ++v) {
@@ -190,8 +183,7 @@ class LineGraph {
   }
   bool is_own(Index sector) { return is_own_[sectors_.root(sector)] != 0; }
 
-  /// Sectors that others reach, side by side: the lines around them go on at
-  /// the vertex.
+  /// Sectors that others reach, side by side: the lines around them go on at the vertex.
   void join_runs(Index face) {
     for_each_vertex_gap(face, [&](bool is_one, Index before, Index behind) {
       if (!is_one && !is_own(before) && !is_own(behind)) runs_.join(before, behind);
@@ -211,8 +203,8 @@ class LineGraph {
     if (vertex == no_index) return std::min(piece.part, next.part);
     const Index before = sector_at(face, piece, vertex), behind = sector_at(face, next, vertex);
     if (is_own(before) && is_own(behind)) {
-      // A line that ends here, as others do at the same vertex: paths go on
-      // between. Of a convex vertex, that paths pass on both sides, one stays.
+      // A line that ends here, as others do at the same vertex: paths go on between. Of a convex vertex, that
+      // paths pass on both sides, one stays.
       const bool stays = !has_leaf_[vertex] && begins_line(vertex);
       if (stays) has_leaf_[vertex] = true;
       return add_node(vertex, stays);
@@ -243,8 +235,8 @@ class LineGraph {
     }
   }
 
-  /// Lines that end where neither a convex vertex nor the border of the mesh
-  /// is: on their two sides are parts of one wave, which a vertex has parted.
+  /// Lines that end where neither a convex vertex nor the border of the mesh is: on their two sides are parts
+  /// of one wave, which a vertex has parted.
   void prune() {
     const std::size_t count = node_count();
     std::vector<Index> begin(count + 1, 0);
@@ -265,8 +257,7 @@ class LineGraph {
     for (Index e = 0; e < mesh_.edge_count(); ++e) {
       if (!mesh_.is_border_edge(e)) continue;
       for (Index p = tree_.first_part(e); p < tree_.first_part(e + 1); ++p) is_kept[p] = true;
-      // Where at its end another wave has the vertex, the line between them
-      // comes to the border there.
+      // Where at its end another wave has the vertex, the line between them comes to the border there.
       for (const Index sector : {2 * e, 2 * e + 1}) {
         if (const auto run = node_of_run_.find(runs_.root(sector)); run != node_of_run_.end())
           is_kept[run->second] = true;
@@ -355,9 +346,8 @@ class RidgeMaker {
   }
 
  private:
-  /// What is between two lines as one goes round a face: a wave, or several
-  /// into which vertices have parted it, each to the left of the line to the
-  /// next.
+  /// What is between two lines as one goes round a face: a wave, or several into which vertices have parted
+  /// it, each to the left of the line to the next.
   struct Side {
     struct Parting {
       PlanePoint place, inwards;
@@ -413,8 +403,7 @@ class RidgeMaker {
     return low;
   }
 
-  /// The greatest angle between directions in which shortest paths arrive at a
-  /// vertex side by side.
+  /// The greatest angle between directions in which shortest paths arrive at a vertex side by side.
   double angle_at(Index vertex) const {
     const double distance = state_.vertices[vertex].distance;
     if (!TangentFrame::exists_at(mesh_, vertex) || distance == unreachable) return 0.0;
@@ -538,9 +527,8 @@ class RidgeMaker {
     join_at(meeting.face, plane, size, middle, angle, ends);
   }
 
-  /// Of three lines and more the first two that meet, neighbours: no other wave
-  /// is nearer there. What lies between them ends, and one line goes on.
-  /// \return false if there are none.
+  /// Of three lines and more the first two that meet, neighbours: no other wave is nearer there. What lies
+  /// between them ends, and one line goes on. \return false if there are none.
   bool join_two(Index face, const FacePlane& plane, double size, std::vector<End>& ends) {
     const std::size_t count = ends.size();
     double most = -unreachable, angle = 0.0;
@@ -557,8 +545,7 @@ class RidgeMaker {
       for (const End& end : ends) nearest = std::min(nearest, end.behind.at(at).distance(at));
       double room = nearest - waves[0].distance(at);
       if (!(room > -on_curve * size)) continue;
-      // Of equal ones where one of them ends, as on a border, which lines meet
-      // without crossing it.
+      // Of equal ones where one of them ends, as on a border, which lines meet without crossing it.
       for (const std::size_t k : {i, next}) {
         if (is_at(ends[k], at, size)) room = unreachable;
       }
@@ -634,8 +621,7 @@ class RidgeMaker {
   Index add_junction(Index face, const FacePlane& plane, const PlanePoint& place, double angle) {
     auto weights = weights_of(plane, place);
     double sum = 0.0;
-    // Inside: if it were on a border, it would count as where lines come to
-    // that.
+    // Inside: if it were on a border, it would count as where lines come to that.
     for (double& weight : weights) sum += weight = std::max(weight, inside_face);
     for (double& weight : weights) weight /= sum;
     // A face without area.
@@ -677,8 +663,8 @@ class RidgeMaker {
   std::vector<Index> point_of_node_;
 };
 
-/// Sources inside faces where one is nearest to nothing on the border of its
-/// face, so that no area tells of it.
+/// Sources inside faces where one is nearest to nothing on the border of its face, so that no area tells of
+/// it.
 std::vector<Index> sources_of_enclosed_regions(const ExactSolver::State& state, const WaveTree& tree) {
   const auto is_inside = [&](Index source) {
     const SurfacePoint& point = state.sources[source].point;

@@ -21,6 +21,17 @@ constexpr double long_border_edge = 2.0;
 
 static_assert(Crossings::capacity == PatchLayer::tile_width);
 
+/// Where one of several paths crosses: at a row, or on the edge to one beside it. `nodes`: by row.
+BorderCrossing place_of(const Crossings& crossings, Index k, double lowest, Index row,
+                        const BesideNode& beside, std::span<const Index> nodes) {
+  BorderCrossing at{nodes[row]};
+  for (int s : {0, 1}) {
+    at.offer(nodes[beside.other[s]], straight_crossing(crossings.source[k], crossings.target[k],
+                                                       crossings.beside(k, s), static_cast<float>(lowest)));
+  }
+  return at;
+}
+
 }  // namespace
 
 /// By row in row_: where the sum of border distance and entry is least.
@@ -98,13 +109,7 @@ void FieldSweep::cross(const PatchLayer& layer, const BorderDistances& border, I
     const float above = crossings.source[k] + crossings.target[k] - gain[k];
     result_[column + k] = lowest_ + static_cast<double>(above);
     if (leg_.empty()) continue;
-    BorderCrossing at{nodes[row_[k]]};
-    for (int s : {0, 1}) {
-      at.offer(nodes[beside_[row_[k]].other[s]],
-               straight_crossing(crossings.source[k], crossings.target[k], crossings.beside(k, s),
-                                 static_cast<float>(lowest_)));
-    }
-    leg_[column + k] = border.legs.across(at);
+    leg_[column + k] = border.legs.across(place_of(crossings, k, lowest_, row_[k], beside_[row_[k]], nodes));
   }
 }
 
@@ -442,13 +447,8 @@ void BorderField::cross_rows(Index begin, Index count) {
         distance = through;
         predecessor = data_.second_node[row];
         if (wants_legs()) {
-          BorderCrossing at{predecessor};
-          for (int s : {0, 1}) {
-            at.offer(data_.second_node[beside_[row].other[s]],
-                     straight_crossing(crossings.source[k], crossings.target[k], crossings.beside(k, s),
-                                       static_cast<float>(lowest_)));
-          }
-          leg = legs_by(search_leg_).across(at);
+          leg = legs_by(search_leg_)
+                    .across(place_of(crossings, k, lowest_, row, beside_[row], data_.second_node));
         }
       }
     }
