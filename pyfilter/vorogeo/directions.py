@@ -64,7 +64,7 @@ class Directions(Tasks):
             Whether to return also the lengths of the vectors.
         method : {"exact", "index"}, default "exact"
             From an index (built if there is none) in some 2 to 3 of its fields: exact around the point; elsewhere off
-            by .01 to .45 degrees in the mean, in faces by up to .5, and by more where two paths are almost equally long.
+            by .01 to .45 degrees in the mean, in faces by up to .5, by more where two paths are almost equally long.
 
         Returns
         -------
