@@ -295,7 +295,12 @@ void PathLine::pull(Joint& from, Joint& to) {
   const Index end = std::min(to.last + 1, size_of(crossings_));
   std::array<double, 3> weights{};
   if (begin == 0) {
-    const FacePlane plane(*geometry_, first_face_);
+    FacePlane plane(*geometry_, first_face_);
+    // Sides of crossings are as seen from the face in which the strip began, which this one may face away
+    // from.
+    if (!crossings_.empty() && mesh.head(crossings_[0].exit) != crossings_[0].left) {
+      for (PlanePoint& corner : plane.corner) corner[1] = -corner[1];
+    }
     weights_in_face(mesh, source_, first_face_, weights);
     from.out = plane.at(weights);
     if (crossings_.empty()) {

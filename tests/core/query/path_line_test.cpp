@@ -98,6 +98,37 @@ TEST(PathLine, TakesOutFacesLeftAtOnce) {
   }
 }
 
+TEST(PathLine, IsTheSameWhicheverWayFacesAreTurned) {
+  // It begins at a vertex of the first two faces of its strip, so that the first is taken out.
+  test::Shape disc = test::cone(8, 1, 2.0 * std::numbers::pi, 1.0);
+  const auto faces = disc.soup.faces;
+  for (std::size_t turned = 0; turned < std::size_t{1} << faces.size(); ++turned) {
+    disc.soup.faces = faces;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      if ((turned >> f & 1U) != 0) std::swap(disc.soup.faces[f][1], disc.soup.faces[f][2]);
+    }
+    const auto mesh = test::make_mesh(disc.soup);
+    const ExactGeometry geometry(mesh);
+    const auto corners = mesh->corners(0);
+    FaceStrip strip;
+    strip.first = Mesh::face_of(corners[0]);
+    for (const int place : {1, 2, 3}) {
+      ASSERT_TRUE(turn_around(*mesh, strip, 0, Mesh::face_of(corners[place])));
+    }
+    for (const Index vertex : mesh->face_vertices(strip.first)) {
+      const auto& next = mesh->face_vertices(Mesh::face_of(corners[1]));
+      if (vertex != 0 && std::ranges::find(next, vertex) != next.end()) {
+        strip.source = SurfacePoint::at_vertex(vertex);
+      }
+    }
+    strip.target = SurfacePoint::in_face(strip.last(), {1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0});
+    PathLine line(geometry);
+    line.assign(strip);
+    EXPECT_EQ(line.crossings().size(), 2U);
+    EXPECT_NEAR(line.length(), disc.distance(strip.source, strip.target), 1e-12);
+  }
+}
+
 // Strips whose shortest lines are known, and walks around vertices.
 
 /// The strip of faces around the apex of a cone, from the vertex at the rim of sector 0 on.
