@@ -92,7 +92,9 @@ Mesh::Mesh(std::vector<Point> positions, std::vector<std::array<Index, 3>> faces
   connect(metric.sides, metric.drifts);
   if (bridges.faces.empty()) return;
   const auto first = std::ranges::lower_bound(input_face_, given);
-  first_bridge_ = input_face_.empty() ? given : static_cast<Index>(first - input_face_.begin());
+  // No numbers are kept where no face was left out, nor where all were.
+  first_bridge_ =
+      input_face_.empty() ? std::min(given, face_count()) : static_cast<Index>(first - input_face_.begin());
 }
 
 void Mesh::connect(const SideLengths& sides, const SideLengths& drifts) {

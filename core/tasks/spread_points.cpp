@@ -16,12 +16,18 @@ namespace vorogeo {
 
 namespace {
 
-/// The given vertices with a face, of one component, or of all for no_index.
+/// The given vertices with a face, of one component, or of all for no_index. \throw InvalidInput if there are
+/// none.
 std::vector<Index> vertices_with_face(const Mesh& mesh, Index component = no_index) {
   std::vector<Index> vertices;
   for (Index v = 0; v < mesh.given_vertex_count(); ++v) {
     const bool counts = component == no_index || mesh.component(v) == component;
     if (counts && mesh.fan(v) != Mesh::Fan::isolated) vertices.push_back(v);
+  }
+  if (vertices.empty()) {
+    throw InvalidInput(
+        "There is nothing to sample: no vertex there has a face that paths may enter. Take a surface with "
+        "faces, a metric that does not bar all of them, or a smaller gap.");
   }
   return vertices;
 }
@@ -55,7 +61,7 @@ FarthestSamples sample_farthest(Surface& surface, const FarthestStop& stop, cons
   std::mt19937_64 random(seed);
   Index farthest = no_index;
   auto measure = [&] {
-    result.covering_radius = allowed.empty() ? 0.0 : -1.0;
+    result.covering_radius = -1.0;
     for (Index v : allowed) {
       if (result.distance[v] <= result.covering_radius) continue;
       result.covering_radius = result.distance[v];

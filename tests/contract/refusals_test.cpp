@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "contract/surfaces.h"
+#include "support/gaps.h"
 
 namespace vorogeo::contract {
 namespace {
@@ -132,6 +133,20 @@ TEST(RefusalsContract, QuickAnswersAreFieldsInMetricsThatDoNotJump) {
       {{"distance", [] { surface().distance(vertex(3), vertex(5), By::quick); }, {"quick", "fields"}},
        {"path", [] { surface().path(vertex(3), vertex(5), By::quick); }, {"quick", "fields"}},
        {"field", [&] { jumping.field({{vertex(3)}}, By::quick); }, {"jump"}}});
+}
+
+TEST(RefusalsContract, WhereTheMetricBarsEveryFaceThereIsNothingToSampleAndNothingIsReached) {
+  const FaceCost bars{std::vector<double>(sphere.faces.size(), unreachable)};
+  test::Soup halves = test::two_plates(6, 7, 0.01).soup;
+  const FaceCost bars_halves{std::vector<double>(halves.faces.size(), unreachable)};
+  for (const Ask& ask : {Ask({sphere, bars}), Ask({halves, bars_halves, 0.02})}) {
+    expect_refused(
+        {{"farthest points", [&] { ask.farthest_points(3, 0.0, {}, By::exact); }, {"nothing to sample"}},
+         {"Poisson disk", [&] { ask.poisson_disk(0.3, By::exact); }, {"nothing to sample"}}});
+    EXPECT_EQ(ask.distance(vertex(0), vertex(1), By::exact), unreachable);
+    EXPECT_EQ(ask.disk({vertex(5)}, 1.0, By::exact).vertices, (std::vector<Index>{5}));
+    EXPECT_EQ(ask.band({vertex(5)}, 1.0, By::exact).area, 0.0);
+  }
 }
 
 TEST(RefusalsContract, MeshesThatAreNoneNameTheVertexOrFace) {

@@ -2,12 +2,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <utility>
 #include <vector>
 
 #include "fuzz/hostile_case.h"
+#include "mesh/metric.h"
+#include "support/disjoint_sets.h"
 #include "support/hostile_parts.h"
+#include "tasks/cut.h"
 
 namespace vorogeo::test {
 
@@ -40,6 +44,58 @@ Soup moved_exactly(const Soup& soup, HostileRandom& random, double& scale) {
   return result;
 }
 
+/// A mesh torn open along a line: neither side of it is the other's neighbour.
+struct Torn {
+  Soup soup;
+  std::vector<Index> vertex_of;  ///< by vertex: which one of the cut mesh it is
+};
+
+/// At each vertex on the way, the faces fall into parts that share edges which are not of the line. Those
+/// that border the line on the way there and on the way on are sides to walk along, and all but the first get
+/// a vertex of their own. Other parts, as beside a hole that the line touches, are reached from that first
+/// one.
+Torn torn_along(const CutMesh& cut, std::vector<Point> positions, const std::vector<Index>& line) {
+  Torn torn{{std::move(positions), cut.faces}, {}};
+  torn.vertex_of.resize(torn.soup.positions.size());
+  std::iota(torn.vertex_of.begin(), torn.vertex_of.end(), 0);
+  std::vector<std::vector<Index>> faces_at(torn.soup.positions.size());
+  for (std::size_t f = 0; f < cut.faces.size(); ++f) {
+    for (const Index v : cut.faces[f]) faces_at[v].push_back(static_cast<Index>(f));
+  }
+  for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+    const Index v = line[i];
+    const std::vector<Index>& around = faces_at[v];
+    DisjointSets parts(static_cast<Index>(around.size()));
+    std::map<Index, Index> first_with;  // by neighbour over an edge that is not of the line
+    for (std::size_t k = 0; k < around.size(); ++k) {
+      for (const Index w : cut.faces[around[k]]) {
+        if (w == v || w == line[i - 1] || w == line[i + 1]) continue;
+        const auto [known, added] = first_with.try_emplace(w, static_cast<Index>(k));
+        if (!added) parts.join(known->second, static_cast<Index>(k));
+      }
+    }
+    std::map<Index, std::array<bool, 2>> borders;
+    for (std::size_t k = 0; k < around.size(); ++k) {
+      auto& [before, after] = borders[parts.root(static_cast<Index>(k))];
+      before |= std::ranges::count(cut.faces[around[k]], line[i - 1]) > 0;
+      after |= std::ranges::count(cut.faces[around[k]], line[i + 1]) > 0;
+    }
+    bool is_first = true;
+    for (const auto& [part, borders_on] : borders) {
+      if (!borders_on[0] || !borders_on[1] || std::exchange(is_first, false)) continue;
+      const auto own = static_cast<Index>(torn.soup.positions.size());
+      const Point place = torn.soup.positions[v];
+      torn.soup.positions.push_back(place);
+      torn.vertex_of.push_back(v);
+      for (std::size_t k = 0; k < around.size(); ++k) {
+        if (parts.root(static_cast<Index>(k)) == part)
+          std::ranges::replace(torn.soup.faces[around[k]], v, own);
+      }
+    }
+  }
+  return torn;
+}
+
 class Laws {
  public:
   explicit Laws(HostileCase& hostile)
@@ -63,6 +119,8 @@ class Laws {
     check_same("a motion changes a distance", moved, place, scale, 0.0);
     // A middle is rounded, by some 1e-16 of its place; a path may lead over many.
     check_same("subdivision changes a distance", in_four(soup), place, 1.0, 1e-14 * farthest_);
+    check_constant_cost();
+    check_cut();
   }
 
  private:
@@ -87,6 +145,64 @@ class Laws {
       compare(
           law, [&](Index v) { return hostile_.exact[0][v]; },
           [&](Index v) { return field[place[v]] / scale; }, more);
+    });
+  }
+
+  void check_constant_cost() {
+    const Soup& soup = hostile_.hostile.soup;
+    // No power of two, so that lengths round.
+    const double cost = random_.power(-3.0, 3.0);
+    hostile_.ask("exact field of vertex " + std::to_string(hostile_.sources[0]) + " at the cost " +
+                 exactly(cost));
+    hostile_.attempt([&] {
+      const std::vector<double> costs(soup.positions.size(), cost);
+      const auto mesh = std::make_shared<const Mesh>(soup.positions, soup.faces,
+                                                     lengths_by_cost(soup.positions, soup.faces, costs));
+      const auto field = exact_distance_field(mesh, std::array{hostile_.sources[0]});
+      // Lengths determine needles less well than positions do.
+      compare(
+          "a constant cost is not a scale", [&](Index v) { return hostile_.exact[0][v]; },
+          [&](Index v) { return field[v] / cost; }, 1e-7 * hostile_.mesh->longest_edge_length());
+    });
+  }
+
+  /// Shortest paths from a vertex do not cross: torn along one of them, all distances from its ends stay.
+  void check_cut() {
+    const auto& [source, other] = hostile_.sources;
+    const Index target =
+        hostile_.exact[0][other] < unreachable ? other : static_cast<Index>(random_.below(count_));
+    const double distance = hostile_.exact[0][target];
+    if (!(distance < unreachable) || distance == 0.0) return;
+    hostile_.ask("mesh torn along the path from vertex " + std::to_string(source) + " to " +
+                 std::to_string(target));
+    hostile_.attempt([&] {
+      ExactSolver solver(hostile_.mesh);
+      solver.run_from_vertices(std::array{source});
+      const CutMesh cut =
+          cut_along(*hostile_.mesh, {solver.path_to_source(SurfacePoint::at_vertex(target)).points});
+      const std::vector<Index>& line = cut.lines[0];
+      // Among faces without width, rounding may end the line early.
+      if (line.empty() || line.front() != target || line.back() != source) return;
+      std::vector<Point> positions;
+      for (const SurfacePoint& point : cut.points) positions.push_back(position_of(*hostile_.mesh, point));
+      const Torn torn = torn_along(cut, std::move(positions), line);
+      const auto mesh = std::make_shared<const Mesh>(torn.soup.positions, torn.soup.faces);
+      const double rounding = 1e-14 * farthest_ + 1e-15 * farthest_ * static_cast<double>(line.size());
+      for (int i = 0; i < (target == other ? 2 : 1); ++i) {
+        std::vector<Index> at_end;
+        for (Index v = 0; v < mesh->vertex_count(); ++v) {
+          if (torn.vertex_of[v] == hostile_.sources[i]) at_end.push_back(v);
+        }
+        const auto field = exact_distance_field(mesh, at_end);
+        std::vector<double> least(cut.points.size(), unreachable);
+        for (Index v = 0; v < mesh->vertex_count(); ++v) {
+          double& known = least[torn.vertex_of[v]];
+          known = std::min(known, field[v]);
+        }
+        compare(
+            "a cut along a shortest path changes a distance", [&](Index v) { return hostile_.exact[i][v]; },
+            [&](Index v) { return least[v]; }, rounding);
+      }
     });
   }
 
