@@ -11,6 +11,7 @@
 #include "mesh/mesh_check.h"
 #include "mesh/mesh_input.h"
 #include "mesh/metric.h"
+#include "mesh/one_way.h"
 #include "mesh/outliers.h"
 #include "mesh/surface_locator.h"
 #include "query/surface.h"
@@ -58,6 +59,7 @@ using vorogeo::enclosed_area;
 using vorogeo::Error;
 using vorogeo::exp_map;
 using vorogeo::gradient;
+using vorogeo::hiking_time;
 using vorogeo::IndexFileError;
 using vorogeo::IndexOptions;
 using vorogeo::InvalidInput;
@@ -84,6 +86,7 @@ using vorogeo::tighten;
 using vorogeo::to_string;
 using vorogeo::transport;
 using vorogeo::transport_from;
+using vorogeo::travel_time;
 }  // namespace inner
 
 #include "vorogeo.h"
@@ -185,7 +188,11 @@ template <class Options, class Body>
 auto ask(const Surface& surface, const Options& options, Body&& body) {
   return translated([&] {
     const auto current = surface.state().current();
-    Asked asked{*current, *surface.state().mesh, core_options(options)};
+    inner::Surface* answering = current.get();
+    if constexpr (requires { options.to; }) {
+      if (options.to) answering = &current->reversed();
+    }
+    Asked asked{*answering, *surface.state().mesh, core_options(options)};
     return body(asked);
   });
 }

@@ -110,6 +110,25 @@ std::vector<double> slope_cost(const std::vector<Point>& positions,
   });
 }
 
+FaceMetric hiking_time(const std::vector<Point>& positions, const std::vector<std::array<int, 3>>& faces,
+                       const std::function<double(double)>& pace, const Point& up) {
+  return translated([&] {
+    const auto by_grade = for_each_grade(pace ? pace : std::function<double(double)>(tobler));
+    auto found = inner::hiking_time(positions, faces, by_grade, up);
+    return FaceMetric{std::move(found.tensors), std::move(found.drifts)};
+  });
+}
+
+FaceMetric travel_time(const std::vector<Point>& positions, const std::vector<std::array<int, 3>>& faces,
+                       const std::vector<Point>& wind, const std::vector<double>& speed) {
+  return translated([&] {
+    require_count(wind.size(), faces.size(), "wind", "faces");
+    require_count(speed.size(), faces.size(), "speed", "faces");
+    auto found = inner::travel_time(positions, faces, wind, speed);
+    return FaceMetric{std::move(found.tensors), std::move(found.drifts)};
+  });
+}
+
 std::vector<Tensor> curvature_tensor(const std::vector<Point>& positions,
                                      const std::vector<std::array<int, 3>>& faces, double weight) {
   return translated([&] { return curvature_tensors(positions, faces, weight); });
@@ -146,8 +165,7 @@ Field Surface::field(const PointList& sources, const FieldOptions& options) cons
     for (std::size_t i = 0; i < points.size(); ++i) {
       from.push_back({points[i], options.offsets.empty() ? 0.0 : options.offsets[i]});
     }
-    inner::Surface& surface = options.to ? at.surface.reversed() : at.surface;
-    auto found = surface.field(from, options.limit, at.options.by, at.answered, at.options.progress);
+    auto found = at.surface.field(from, options.limit, at.options.by, at.answered, at.options.progress);
     Field field;
     field.distance = InputMap(at.mesh).of_vertices(std::move(found.distance));
     if (options.labels) field.label = InputMap(at.mesh).of_vertices(std::move(found.source));

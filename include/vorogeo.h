@@ -260,6 +260,26 @@ VOROGEO_API std::vector<Tensor> curvature_tensor(const std::vector<Point>& posit
                                                  const std::vector<std::array<int, 3>>& faces,
                                                  double weight = 3.0);
 
+/// For SurfaceOptions::face_tensor and face_drift together: a metric by which a way back costs something
+/// else.
+struct FaceMetric {
+  std::vector<Tensor> face_tensor;
+  std::vector<Point> face_drift;
+};
+/// Time over terrain. `pace`: what a unit of length on the map costs at a grade, rise by length on the map,
+/// which is below 0 downhill; none: seconds per metre by Tobler's hiking function. Infinite for grades at
+/// which none can go: steeper faces are climbed by zigzags. \throw InvalidInput for a cost that is not above
+/// 0, or infinite near 0.
+VOROGEO_API FaceMetric hiking_time(const std::vector<Point>& positions,
+                                   const std::vector<std::array<int, 3>>& faces,
+                                   const std::function<double(double grade)>& pace = {},
+                                   const Point& up = {0.0, 0.0, 1.0});
+/// Time of what moves with `speed` in a wind or a current, both by face: Zermelo's problem. \throw
+/// InvalidInput for a speed that is not above that of the wind, by face.
+VOROGEO_API FaceMetric travel_time(const std::vector<Point>& positions,
+                                   const std::vector<std::array<int, 3>>& faces,
+                                   const std::vector<Point>& wind, const std::vector<double>& speed);
+
 // ---- The surface
 
 class Query;
@@ -353,9 +373,10 @@ class VOROGEO_API Query {
 struct TaskOptions {
   Answer by = Answer::automatic;  ///< not quick
   ProgressFunction progress = {};
+  bool to = false;  ///< what is measured from points is measured to them; the same without face_drift
 };
 
-/// Row by row the distance of each row's point from each column's. The first form: of points from each other.
+/// Row by row the distance from each row's point to each column's. The first form: of points from each other.
 VOROGEO_API std::vector<double> distance_matrix(const Surface& surface, const PointList& points,
                                                 const TaskOptions& options = {});
 VOROGEO_API std::vector<double> distance_matrix(const Surface& surface, const PointList& rows,
@@ -371,11 +392,12 @@ struct SparseDistances {
   std::vector<int> column;  ///< ascending within a row
   std::vector<double> distance;
 };
-/// All pairs of points at most `radius` apart. \throw NotEnoughMemory.
+/// All pairs of points at most `radius` apart, from the row to the column. \throw NotEnoughMemory.
 VOROGEO_API SparseDistances pairs_within(const Surface& surface, const PointList& points, double radius,
                                          const TaskOptions& options = {});
 
-/// For each query `count` positions in the set and distances, nearest first; -1 where fewer can be reached.
+/// For each query `count` positions in the set and distances from there, nearest first; -1 where fewer can be
+/// reached.
 struct NearestOfSet {
   std::vector<int> position;
   std::vector<double> distance;

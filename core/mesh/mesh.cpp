@@ -562,9 +562,10 @@ void require_agreeing_faces(const Mesh& mesh, const std::string& what) {
 
 void require_both_ways_alike(const Mesh& mesh, const std::string& what) {
   if (!mesh.is_one_way()) return;
-  throw InvalidInput(what +
-                     " take no metric by which a way back costs something else: take exact distance fields, "
-                     "distances of pairs and paths.");
+  throw InvalidInput(
+      what +
+      " need ways back that cost the same, and this metric goes one way: ask for exact fields, "
+      "matrices, nearest points, regions, disks or paths, from points or to them.");
 }
 
 Mesh Mesh::reversed() const {

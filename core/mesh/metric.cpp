@@ -622,13 +622,13 @@ std::vector<Tensor> over_neighbours(const std::vector<Tensor>& of,
   return sum;
 }
 
+}  // namespace
+
 Point upwards_of(const Point& up) {
   const Point upwards = unit_of(up);
   if (dot(upwards, upwards) > 0.5) return upwards;
   throw InvalidInput("The direction upwards has no length; give a vector such as (0, 0, 1).");
 }
-
-}  // namespace
 
 std::vector<double> grades_of(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
                               const Point& up) {

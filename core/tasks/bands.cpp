@@ -50,7 +50,10 @@ class BandSum {
 
   /// A face of which no corner has a distance lies outside.
   BandSum(const Mesh& mesh, double width, DistanceAt distance_at)
-      : mesh_(mesh), width_(width), distance_at_(std::move(distance_at)) {}
+      : mesh_(mesh),
+        width_(width),
+        distance_at_(std::move(distance_at)),
+        steepest_(mesh.is_one_way() ? 2.0 : 1.0) {}
 
   void add(Index face) {
     face_ = face;
@@ -112,7 +115,7 @@ class BandSum {
       const double length = distance_between(part[i], part[(i + 1) % 3]);
       if (length > side) side = length, longest = i;
     }
-    const double reach = side * std::numbers::inv_sqrt3;
+    const double reach = steepest_ * side * std::numbers::inv_sqrt3;
     const auto [least, most] = std::minmax({part[0].distance, part[1].distance, part[2].distance});
     if (least == unreachable || least - reach > width_) return;
     if (most + reach <= width_) {
@@ -127,6 +130,20 @@ class BandSum {
     const Corner& apex = part[(longest + 2) % 3];
     add({part[longest], middle, apex}, 0.5 * share);
     add({middle, part[(longest + 1) % 3], apex}, 0.5 * share);
+  }
+
+  /// By how much distances grow for each unit of length across the border: 1, but in a metric that goes one
+  /// way.
+  double gradient_of(const Part& part) const {
+    if (!mesh_.is_one_way()) return 1.0;
+    const double a = distance_between(part[0], part[1]), b = distance_between(part[0], part[2]);
+    const double c = distance_between(part[1], part[2]);
+    const double x = 0.5 * (a + (b - c) * (b + c) / a);
+    const double y = std::sqrt(std::max(0.0, (b - x) * (b + x)));
+    const double along = (part[1].distance - part[0].distance) / a;
+    const double across = (part[2].distance - part[0].distance - along * x) / y;
+    const double gradient = std::hypot(along, across);
+    return gradient > 0.0 && std::isfinite(gradient) ? gradient : 1.0;
   }
 
   /// A part small enough to be cut by one arc. \return false, with nothing added, if `may_refuse` and it is
@@ -148,9 +165,10 @@ class BandSum {
       end[i] = on_side(part[alone], other, fraction[i]);
     }
     const double chord = distance_between(end[0], end[1]);
+    const double gradient = gradient_of(part);
     // How far the border is beyond the chord, at its ends and at its middle.
-    const double beyond = 0.5 * ((width_ - end[0].distance) + (width_ - end[1].distance));
-    const Arc arc{chord, width_ - between(end[0], end[1], 0.5).distance - beyond};
+    const double beyond = 0.5 * ((width_ - end[0].distance) + (width_ - end[1].distance)) / gradient;
+    const Arc arc{chord, (width_ - between(end[0], end[1], 0.5).distance) / gradient - beyond};
     const double expected = chord * chord / (8.0 * width_);
     const double kink = small_kink * chord + 1e-12 * width_;
     const bool is_arc = std::abs(beyond) <= expected + kink && std::abs(arc.height) <= 2.0 * expected + kink;
@@ -166,6 +184,8 @@ class BandSum {
   const Mesh& mesh_;
   const double width_;
   const DistanceAt distance_at_;
+  const double
+      steepest_;  ///< no distance grows by more for each unit of length: 1 and a drift of less than 1
   Index face_ = no_index;
   double face_area_ = 0.0;
   std::array<Point, 3> at_{};
@@ -186,7 +206,7 @@ Band band(Surface& surface, const PointList& given, double width, const TaskOpti
   // Of a face with no corner below it, no point is within the width.
   double limit = width;
   for (Index f = 0; f < mesh.first_bridge(); ++f) {
-    limit = std::max(limit, width + std::ranges::max(mesh.side_lengths(f)));
+    limit = std::max(limit, width + 2.0 * std::ranges::max(mesh.side_lengths(f)));
   }
   BandSum sum(mesh, width, workers.field_at_points(sources, limit));
   for (const Index f : checked(mesh.first_bridge())) sum.add(f);

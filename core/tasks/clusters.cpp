@@ -268,6 +268,7 @@ Clusters clusters_of(Surface& surface, Index count, const std::optional<PointLis
                      const TaskOptions& options) {
   const Mesh& mesh = *surface.mesh();
   if (rounds < 0) throw InvalidInput("The number of rounds is negative; give 0 or more.");
+  require_both_ways_alike(mesh, "Clusters");
   if (given) {
     const PointList points = points_on(mesh, *given, "Point");
     const auto weights = checked_weights(given_weights, points.size());

@@ -47,7 +47,8 @@ void fill_rectangle(Surface& surface, const PointList& row_points, const PointLi
   const PointList columns = points_on(*surface.mesh(), column_points, "Column");
   const std::size_t width = columns.size();
   const auto fewer = static_cast<double>(std::min(rows.size(), width));
-  Workers workers(surface, options, fewer);
+  const bool from_rows = rows.size() <= width;
+  Workers workers(from_rows ? surface : surface.reversed(), options, fewer);
   const bool only_vertices = rows.only_vertices() && columns.only_vertices();
   if (!use_fields(workers, method, only_vertices, fewer, static_cast<double>(matrix.size()))) {
     const auto row_order = workers.order_of_points(rows);
@@ -61,7 +62,6 @@ void fill_rectangle(Surface& surface, const PointList& row_points, const PointLi
     });
     return;
   }
-  const bool from_rows = rows.size() <= width;
   const PointList& sources = from_rows ? rows : columns;
   const PointList& targets = from_rows ? columns : rows;
   parallel_for(sources.size(), workers.threads(), workers.progress(), "Distance fields",
@@ -106,6 +106,8 @@ void fill_square(Surface& surface, const PointList& given, MatrixMethod method, 
                  for (std::size_t j = 0; j < count; ++j) {
                    if (points[j] == points[i]) {
                      matrix[i * count + j] = Entry{};
+                   } else if (workers.mesh().is_one_way()) {
+                     matrix[i * count + j] = static_cast<Entry>(found[j]);
                    } else if (points[i] < points[j]) {
                      matrix[i * count + j] = matrix[j * count + i] = static_cast<Entry>(found[j]);
                    }

@@ -74,6 +74,7 @@ Extent extent_of_component(Surface& surface, Index start, Index max_fields, cons
   const Mesh& mesh = *surface.mesh();
   points_on(mesh, std::span(&start, 1), "Start");
   if (max_fields < 2) throw InvalidInput("At least 2 fields are needed to bound a diameter; allow more.");
+  require_both_ways_alike(mesh, "Diameter and centre");
   Workers workers(surface, options, std::min<double>(max_fields, usual_fields));
   std::vector<Index> members;
   for (Index v = 0; v < mesh.given_vertex_count(); ++v) {

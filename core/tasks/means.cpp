@@ -369,6 +369,7 @@ Index medoid(Surface& surface, const PointList& given, std::span<const double> g
              const TaskOptions& options) {
   const auto weights = checked_weights(given_weights, given.size());
   const PointList points = joined_points(*surface.mesh(), given, weights);
+  require_both_ways_alike(*surface.mesh(), "Medoids");
   Workers workers(surface, options, expected_rows(points.size()));
   const auto energy = least_energies(workers, points, weights, Power::one, {}, workers.progress());
   return static_cast<Index>(std::ranges::min_element(energy) - energy.begin());
@@ -383,6 +384,7 @@ Centre descend(Surface& surface, const SurfacePoint& start, const PointList& poi
 Centre centre_of(Surface& surface, const PointList& given, std::span<const double> given_weights, Power power,
                  const TaskOptions& options) {
   require_exact(options, "Directions are");
+  require_both_ways_alike(*surface.mesh(), "Means and medians");
   const auto weights = checked_weights(given_weights, given.size());
   const PointList points = joined_points(*surface.mesh(), given, weights);
   std::vector<SurfacePoint> starts, pulling;

@@ -102,6 +102,11 @@ std::vector<std::vector<Entry>> entries_within(Surface& surface, const PointList
 SparseDistances pairs_within(Surface& surface, const PointList& given, double radius, std::int64_t max_bytes,
                              const TaskOptions& options) {
   const PointList points = points_on(*surface.mesh(), given, "Point");
+  if (surface.mesh()->is_one_way()) {
+    auto rows = entries_within(surface, points, points, radius, 1, max_bytes, options,
+                               [](std::size_t i, std::size_t j) { return i != j; });
+    return compressed(rows);
+  }
   // The pairs whose field is that of the row.
   auto upper = entries_within(
       surface, points, points, radius, 2, max_bytes, options,
@@ -131,12 +136,15 @@ NearestOfSet nearest_of_set(Surface& surface, const PointList& set_points, const
                             std::size_t count, const TaskOptions& options) {
   const PointList set = points_on(*surface.mesh(), set_points, "Point");
   const PointList queries = points_on(*surface.mesh(), query_points, "Query");
-  Workers workers(surface, options, static_cast<double>(std::min(set.size(), queries.size())));
+  // A field for each of the fewer points, which for a query is that of the ways to it.
+  const bool by_query = queries.size() <= set.size();
+  Workers workers(by_query ? surface.reversed() : surface, options,
+                  static_cast<double>(std::min(set.size(), queries.size())));
   std::vector<std::vector<Ranked>> best(queries.size());
   const std::string activity = "Nearest points";
   if (count == 0 || set.empty()) {
     // Nothing to find: all entries stay empty.
-  } else if (queries.size() <= set.size()) {
+  } else if (by_query) {
     parallel_for(queries.size(), workers.threads(), workers.progress(), activity,
                  [&](std::size_t q, int worker) {
                    const auto found = workers.distances(queries[q], set, unreachable, worker);

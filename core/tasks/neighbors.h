@@ -20,11 +20,12 @@ struct SparseDistances {
 /// Bytes that `entries` entries take while the matrix is assembled.
 double sparse_bytes(double entries);
 
-/// All pairs of different list entries of `points` at most `radius` apart; symmetric to the last bit.
-/// The value of a pair is read from the field of its smaller point (SurfacePoint::<=>).
-/// `max_bytes`: see require_memory; checked while the pairs are found.
-/// \throw InvalidInput for a point that is not on the mesh, a radius that is negative or NaN,
-/// NotEnoughMemory, Cancelled. Complexity: one field bounded by the radius for each point.
+/// All pairs of different list entries of `points` at most `radius` apart; symmetric to the last bit, but in
+/// a metric that goes one way. There, distances are those from the row to the column; elsewhere the value of
+/// a pair is read from the field of its smaller point (SurfacePoint::<=>). `max_bytes`: see require_memory;
+/// checked while the pairs are found. \throw InvalidInput for a point that is not on the mesh, a radius that
+/// is negative or NaN, NotEnoughMemory, Cancelled. Complexity: one field bounded by the radius for each
+/// point.
 SparseDistances pairs_within(Surface& surface, const PointList& points, double radius,
                              std::int64_t max_bytes = 0, const TaskOptions& options = {});
 
@@ -32,9 +33,9 @@ SparseDistances pairs_within(Surface& surface, const PointList& points, double r
 SparseDistances pairs_within(Surface& surface, const PointList& points, const PointList& others,
                              double radius, std::int64_t max_bytes = 0, const TaskOptions& options = {});
 
-/// The nearest of a set for each query: positions in the set and distances, nearest first, `count` for each
-/// query. Where fewer can be reached, the rest is no_index and `unreachable`. Of equal distances, the smaller
-/// position comes first.
+/// The nearest of a set for each query: positions in the set and distances from there, nearest first, `count`
+/// for each query. Where fewer can be reached, the rest is no_index and `unreachable`. Of equal distances,
+/// the smaller position comes first.
 struct NearestOfSet {
   std::vector<Index> position;
   std::vector<double> distance;

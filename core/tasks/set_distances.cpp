@@ -13,6 +13,7 @@ SetDistances set_distances(Surface& surface, const PointList& given_first, const
   const PointList first = points_on(*surface.mesh(), given_first, "First set, point");
   const PointList second = points_on(*surface.mesh(), given_second, "Second set, point");
   if (first.empty() || second.empty()) throw InvalidInput("A set has no point; name at least one in each.");
+  require_both_ways_alike(*surface.mesh(), "Distances of two sets");
   Workers workers(surface, options, 2.0);
   const Watch watch(workers.progress(), "Distances between sets");
   SetDistances result;

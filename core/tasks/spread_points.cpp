@@ -77,7 +77,7 @@ FarthestSamples sample_farthest(Surface& surface, const FarthestStop& stop, cons
       sample = start[taken];
       double nearest = sample.is_vertex() ? result.distance[sample.vertex] : unreachable;
       if (!sample.is_vertex() && taken > 0) {
-        nearest = std::ranges::min(workers.distances(sample, result.points, unreachable, 0));
+        nearest = workers.field_at_points(result.points, unreachable)(sample);
       }
       result.radius.push_back(nearest);
     } else {
@@ -110,6 +110,7 @@ std::vector<Index> sample_poisson_disk(Surface& surface, double radius, std::uin
     throw InvalidInput("The radius is " + std::to_string(radius) +
                        "; it must be a length above 0 in the unit of the mesh.");
   }
+  require_both_ways_alike(*surface.mesh(), "Poisson-disk samplings");
   const double reach = surface.reach_of(radius);
   Workers workers(surface, options, 1.0 / reach, reach);
   const Mesh& mesh = workers.mesh();
@@ -211,6 +212,7 @@ RelaxedPoints relax_points(Surface& surface, const PointList& given, Index round
                            std::span<const double> weights, Power power) {
   const Mesh& mesh = *surface.mesh();
   if (given.empty()) throw InvalidInput("There is no point to relax; name at least one.");
+  require_both_ways_alike(mesh, "Lloyd relaxations");
   const PointList points = points_on(mesh, given, "Point");
   if (!mesh.has_positions()) {
     throw InvalidInput(

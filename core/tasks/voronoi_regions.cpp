@@ -404,7 +404,7 @@ VoronoiRegions voronoi_regions(Surface& surface, const PointList& given, const T
   Workers workers(surface, options, 1.0 + count, reach);
   const Progress& progress = workers.progress();
   double radius = 0.0;
-  const bool jumps = mesh.metric_jumps();
+  const bool jumps = mesh.metric_jumps() || mesh.is_one_way();
   const Candidates candidates =
       find_candidates(workers, sites, owners, radius, jumps ? progress.part(0.0, 0.5) : progress);
 

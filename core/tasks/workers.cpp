@@ -50,7 +50,6 @@ Workers::Workers(Surface& surface, const TaskOptions& options, double fields, do
       progress_(options.progress),
       reach_(reach),
       uncaught_(std::uncaught_exceptions()) {
-  require_both_ways_alike(*surface.mesh(), "Tasks");
   if (options.by == AnswerMethod::quick && !may_be_quick) {
     throw InvalidInput(
         "The quick method answers single fields only; choose automatic, index or exact for a task.");

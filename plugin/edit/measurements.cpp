@@ -73,7 +73,7 @@ std::string unit_of(Quantity quantity, LengthUnit unit) {
 std::string name_of(const RulerMetric& metric) {
   std::string text;
   if (metric.metric != LayerMetric::length) {
-    text = metric_names[static_cast<std::size_t>(metric.metric)];
+    text = ruler_metrics[static_cast<std::size_t>(metric.metric)];
     text[0] = static_cast<char>(std::tolower(text[0]));
   }
   if (metric.has_weight()) text += ' ' + number_with(digits_shown, metric.weight);
@@ -259,7 +259,7 @@ std::string Measurements::csv() const {
   for (const Measurement& m : all_) {
     text += std::to_string(m.number) + ',' + cell(m.name) + ',' + name_of(m.kind) + ',' + cell(m.layer_name) +
             ',' + unit_names[static_cast<std::size_t>(unit_)] + ',' +
-            metric_names[static_cast<std::size_t>(m.metric.metric)] + ',' +
+            ruler_metrics[static_cast<std::size_t>(m.metric.metric)] + ',' +
             number_with(all_digits, m.metric.weight) + ',' + number_with(all_digits, m.metric.gap) + ',' +
             m.method + ',' + (m.is_of_another_mesh ? '1' : '0');
     for (std::size_t quantity = 0; quantity < quantity_names.size(); ++quantity) {
@@ -292,7 +292,7 @@ std::string Measurements::text() const {
          << on_one_line(m.layer_name) << '\n';
     if (m.metric != RulerMetric{}) {
       text << "metric " << m.metric.weight << ' ' << m.metric.gap << ' '
-           << metric_names[static_cast<std::size_t>(m.metric.metric)] << '\n';
+           << ruler_metrics[static_cast<std::size_t>(m.metric.metric)] << '\n';
     }
     for (const auto& [what, value] : m.values) {
       text << "value " << quantity_names[static_cast<std::size_t>(what)] << ' ' << value << '\n';
@@ -367,9 +367,9 @@ bool set_kind(Measurement& m, const std::string& name) {
 
 /// \return whether there is such a metric.
 bool set_metric(Measurement& m, const std::string& name) {
-  const std::size_t metric = position_in(metric_names, name);
+  const std::size_t metric = position_in(ruler_metrics, name);
   m.metric.metric = static_cast<LayerMetric>(metric);
-  return metric < metric_names.size();
+  return metric < ruler_metrics.size();
 }
 
 /// \return whether the line is one of a measurement.

@@ -59,7 +59,7 @@ RulerDock::RulerDock(QWidget* parent, Actions actions)
   metric_ = add_choice(costs,
                        "What paths cost, as in the filters: their length, the quality as a cost, more on "
                        "slopes, or more across ridges and limbs.",
-                       metric_names);
+                       ruler_metrics);
   weight_ = add_number("weight", "Of the slope penalty, or along curvature; see the filters.");
   gap_ = add_number("gap", "Borders at most this far apart are bridged; crossing a gap costs its width.");
   weight_->setEnabled(false);

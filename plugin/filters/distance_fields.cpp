@@ -14,6 +14,7 @@
 #include "filters/rows.h"
 #include "layers/answering.h"
 #include "layers/curves.h"
+#include "layers/layer_metric.h"
 #include "layers/points.h"
 #include "layers/results.h"
 #include "support/error.h"
@@ -27,15 +28,17 @@ namespace vorogeo::plugin {
 
 namespace {
 
-RichLength max_distance_parameter(const MeshDocument& document) {
-  return length_parameter(
-      document, "max_distance", 0.0, "Max distance (0: no limit)",
-      "Distances above this length are not computed: those vertices get quality -1. In the unit of the mesh, "
-      "or in percent of the diagonal of its bounding box.");
+RichParameterList field_parameters(const MeshDocument& document) {
+  return list_of(
+      length_parameter(
+          document, "max_distance", 0.0, "Max distance (0: no limit)",
+          "Distances above this length are not computed: those vertices get quality -1. In the unit of the "
+          "mesh, or in percent of the diagonal of its bounding box."),
+      direction_parameter());
 }
 
 RichParameterList method_and_max_distance(const MeshDocument& document) {
-  return list_of(method_parameter(), max_distance_parameter(document));
+  return list_of(method_parameter(), field_parameters(document));
 }
 
 /// The limit to compute with: `unreachable` stands for none.
@@ -122,7 +125,9 @@ Results write_distance_field(FilterCall& call, LayerSurface& layer, const std::v
   const char* kind = at_vertices ? (sources.size() == 1 ? " source vertex" : " source vertices")
                                  : (sources.size() == 1 ? " source point" : " source points");
   std::ostringstream text;
-  text << "Distances from " << sources.size() << kind << " to " << reach.reached << " vertices, the largest "
+  const bool to = asks_for_ways_to(call);
+  text << (to ? "Distances to " : "Distances from ") << sources.size() << kind << (to ? " from " : " to ")
+       << reach.reached << " vertices, the largest "
        << logged_length(reach.largest) << ", in " << std::setprecision(3) << answered.seconds << " s";
   call.log(text.str());
   if (answered.expected_error > 0.0) {
@@ -510,7 +515,7 @@ std::vector<FilterRow> distance_rows() {
           "path over the surface.</p>" +
               help_on_start() + exact,
           [](const MeshDocument& document) {
-            return list_of(start_parameters(document, start_meaning), max_distance_parameter(document));
+            return list_of(start_parameters(document, start_meaning), field_parameters(document));
           },
           [](FilterCall& call) { return distances_from_point(call, AnswerMethod::exact); }),
       field_row(
@@ -519,7 +524,7 @@ std::vector<FilterRow> distance_rows() {
           "<p>Exact geodesic distance of every vertex from the nearest selected vertex: the length of "
           "the shortest path over the surface.</p>" +
               exact,
-          [](const MeshDocument& document) { return list_of(max_distance_parameter(document)); },
+          field_parameters,
           [](FilterCall& call) { return distances_from_selection(call, AnswerMethod::exact); }),
       field_row(
           "Geodesic distance from the points or lines of a layer (VoroGeo)",

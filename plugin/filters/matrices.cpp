@@ -116,9 +116,10 @@ Results pairs_of_selection(FilterCall& call) {
   std::vector<int> second;
   std::vector<double> distance;
   std::vector<double> table;
+  const bool both_ways = layer->mesh()->is_one_way();
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (std::int64_t at = pairs.row_begin[i]; at < pairs.row_begin[i + 1]; ++at) {
-      if (pairs.column[at] < static_cast<Index>(i)) continue;
+      if (!both_ways && pairs.column[at] < static_cast<Index>(i)) continue;
       first.push_back(points.numbers[i]);
       second.push_back(points.numbers[pairs.column[at]]);
       distance.push_back(pairs.distance[at]);
@@ -145,7 +146,7 @@ RichParameterList nearest_parameters(const MeshDocument& document) {
   return list_of(source_layer_parameter(document, "points"),
                  RichInt("neighbour_number", 1, "Neighbours", "Number of nearest points for each one."),
                  task_point_parameters(document, "points whose nearest ones are wanted"),
-                 output_file_parameter(), exact_parameter());
+                 output_file_parameter(), exact_parameter(), direction_parameter());
 }
 
 Results nearest_points(FilterCall& call) {
@@ -222,7 +223,8 @@ std::vector<FilterRow> matrix_rows() {
            help_on_task_points() + help_on_exact_parameter() + references_of_index(),
        FilterPlugin::Measure, MeshModel::MM_NONE, matrix_parameters, distance_matrix_of_selection},
       {"Geodesic pairs within a radius (VoroGeo)", "get_vorogeo_pairs_within_radius_of_selection",
-       "<p>All pairs of points whose geodesic distance is at most <b>Radius</b>, each pair once. Returned as "
+       "<p>All pairs of points whose geodesic distance is at most <b>Radius</b>, each pair once, but both ways "
+       "in a metric that goes one way. Returned as "
        "<i>first</i> and <i>second</i> (the numbers of the points) and <i>distances</i>; <b>File</b> writes "
        "these three columns as a .npy file that <i>numpy.load</i> reads.</p>" +
            help_on_task_points() + help_on_exact_parameter() + references_of_index(),

@@ -24,7 +24,8 @@ RichParameterList farthest_parameters(const MeshDocument& document) {
                        "Stop as soon as every vertex is at most this far from a sample."),
       RichBool("from_selection", false, "Begin with the selection",
                "Begin with the selected vertices, or the points given below; otherwise with a random one."),
-      task_point_parameters(document, "points to begin with"), seed_parameter(), exact_parameter());
+      task_point_parameters(document, "points to begin with"), seed_parameter(), exact_parameter(),
+      direction_parameter());
 }
 
 Results farthest_sampling(FilterCall& call) {

@@ -41,7 +41,7 @@ namespace {
 RichParameterList voronoi_parameters(const MeshDocument& document) {
   return list_of(task_point_parameters(document, "points whose regions are wanted"),
                  RichBool("borders", true, "Borders", "Add the borders of the regions as a polyline layer."),
-                 exact_parameter());
+                 exact_parameter(), direction_parameter());
 }
 
 /// Colours by the regions of the faces; faces in no region are given one of their own for this purpose.
@@ -326,7 +326,7 @@ RichParameterList disk_parameters(const MeshDocument& document) {
                          "Number of the vertex in the middle, counted from 0; -1: all selected vertices, or "
                          "the points given below."),
                  task_point_parameters(document, "points around which the disk shall lie"),
-                 exact_parameter());
+                 exact_parameter(), direction_parameter());
 }
 
 TaskPoints disk_sources(const FilterCall& call, LayerSurface& layer) {
@@ -386,7 +386,7 @@ Results measure_disk(FilterCall& call) {
 
 RichParameterList band_parameters(const MeshDocument& document) {
   return list_of(length_parameter(document, "width", 0.02, "Width", "Greatest geodesic distance."),
-                 curve_parameters(document), spacing_parameter(document), exact_parameter());
+                 curve_parameters(document), spacing_parameter(document), exact_parameter(), direction_parameter());
 }
 
 Results measure_band(FilterCall& call) {
@@ -406,7 +406,7 @@ Results measure_band(FilterCall& call) {
   }
   const auto ask = [&](Surface& surface, const TaskOptions& options) {
     if (!is_selected) {
-      points = points_along(surface, legs, spacing, {options.by, options.progress.part(0.0, 0.2)});
+      points = points_along(*layer->surface(), legs, spacing, {options.by, options.progress.part(0.0, 0.2)});
     }
     return band(surface, points, width, {options.by, options.progress.part(0.2, 1.0), options.answered});
   };

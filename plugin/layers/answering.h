@@ -9,6 +9,7 @@
 #include "host/filter_row.h"
 #include "host/ticking.h"
 #include "index/geodesic_index.h"
+#include "layers/layer_metric.h"
 #include "layers/layer_surface.h"
 #include "query/surface.h"
 #include "tasks/workers.h"
@@ -60,16 +61,18 @@ void rest_if_large(LayerSurface& layer, const Answered& answered, Index vertices
 /// Logs what answered.
 Results about_answer(FilterCall& call, LayerSurface& layer, bool had_index, const Answered& answered);
 
-/// The answer of ask(surface, answered, progress), which runs while the window stays responsive. Logs what a
+/// The answer of ask(surface, answered, progress) about the ways from points, or to them as the parameter to
+/// says, which runs while the window stays responsive. Logs what a
 /// user should know about the mesh before, unless it has an index, and what answered after it.
 template <class Ask>
 auto ask_surface(FilterCall& call, LayerSurface& layer, const std::string& activity, Ask&& ask) {
   const bool had_index = layer.index() != nullptr;
   if (!had_index) log_warnings(call, layer);
   Answered answered;
+  const bool to = asks_for_ways_to(call);
   auto found = run_ticking(call.progress, activity, [&](const Progress& progress) {
     try {
-      return ask(*layer.surface(), answered, progress);
+      return ask(to ? layer.surface()->reversed() : *layer.surface(), answered, progress);
     } catch (const InvalidInput& error) {
       throw InvalidInput(layer.in_host_numbers(error.what()));
     }

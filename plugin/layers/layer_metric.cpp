@@ -8,6 +8,8 @@
 
 #include "layers/points.h"
 #include "mesh/metric.h"
+#include "mesh/one_way.h"
+#include "mesh/vectors.h"
 #include "support/error.h"
 
 namespace vorogeo::plugin {
@@ -107,6 +109,36 @@ std::vector<double> cost_of_vertices(const FilterCall& call) {
   return costs_of(call, "vertex", call.layer.cm.vert, [&](std::size_t v) { return values[v]; });
 }
 
+/// A parameter that is a finite number above 0, or at least 0.
+double finite_number(const FilterCall& call, const char* name, bool may_be_zero) {
+  const double value = call.parameters.getFloat(name);
+  if (std::isfinite(value) && (value > 0.0 || (may_be_zero && value == 0.0))) return value;
+  refuse(call, name, value, may_be_zero ? ". Give a number of at least 0." : ". Give a number above 0.");
+}
+
+/// The wind of each face by a custom attribute of the faces, or of their corners in the mean, in the scene.
+std::vector<Point> wind_of(const FilterCall& call, const Placement& placement) {
+  CMeshO& layer = call.layer.cm;
+  const std::string name = call.parameters.getString("wind_attribute").toStdString();
+  const auto of_faces = vcg::tri::Allocator<CMeshO>::FindPerFaceAttribute<Point3m>(layer, name);
+  const auto of_vertices = vcg::tri::Allocator<CMeshO>::FindPerVertexAttribute<Point3m>(layer, name);
+  const bool by_face = vcg::tri::Allocator<CMeshO>::IsValidHandle(layer, of_faces);
+  if (!by_face && !vcg::tri::Allocator<CMeshO>::IsValidHandle(layer, of_vertices)) {
+    refuse(call, "wind_attribute", "'" + name + "'",
+           ", but neither the faces nor the vertices have a custom point attribute of this name. Make one, for "
+           "example with 'Define New Per Face Custom Attribute'.");
+  }
+  const Point origin = placement.to_scene({});
+  std::vector<Point> wind;
+  for (const CFaceO& face : layer.face) {
+    if (face.IsD()) continue;
+    Point3m velocity = by_face ? of_faces[face] : Point3m(0, 0, 0);
+    for (int i = 0; !by_face && i < 3; ++i) velocity += of_vertices[face.cV(i)] / 3;
+    wind.push_back(minus(placement.to_scene({velocity[0], velocity[1], velocity[2]}), origin));
+  }
+  return wind;
+}
+
 /// These parameters are shown on request only: most questions are about lengths on the mesh as it is.
 constexpr bool advanced = true;
 
@@ -121,10 +153,10 @@ GapLimit gap_of(const FilterCall& call) {
 LayerMetric metric_of(const FilterCall& call) {
   if (!call.parameters.hasParameter("metric")) return LayerMetric::length;
   const int number = call.parameters.getEnum("metric");
-  if (number < 0 || number > static_cast<int>(LayerMetric::face_quality)) {
+  if (number < 0 || number > static_cast<int>(LayerMetric::wind)) {
     refuse(call, "metric", number,
-           ". Give 0 for length, 1 for vertex quality as cost, 2 for a slope penalty, 3 for along curvature "
-           "or 4 for face quality as cost.");
+           ". Give 0 for length, 1 for vertex quality as cost, 2 for a slope penalty, 3 for along curvature, "
+           "4 for face quality as cost, 5 for hiking time, 6 for an uphill and downhill cost or 7 for wind.");
   }
   return static_cast<LayerMetric>(number);
 }
@@ -152,6 +184,14 @@ Metric metric_in(const LayerMeasure& measure, const VcgMeshArrays& arrays) {
       return lengths_by_cost(positions, faces, slope_cost(positions, faces, {0, 0, 1}, measure.weight));
     case LayerMetric::curvature:
       return lengths_by_tensor(positions, faces, curvature_tensors(positions, faces, measure.weight));
+    case LayerMetric::hiking:
+      return metric_of(positions, faces, hiking_time(positions, faces, for_each_grade(tobler), {0, 0, 1}));
+    case LayerMetric::climbing:
+      return metric_of(positions, faces,
+                       hiking_time(positions, faces, climbing_cost(measure.weight, measure.downhill), {0, 0, 1}));
+    case LayerMetric::wind:
+      return metric_of(positions, faces,
+                       travel_time(positions, faces, measure.wind, std::vector(faces.size(), measure.weight)));
   }
   return {};
 }
@@ -176,7 +216,8 @@ std::vector<std::string> remarks_on(const Metric& metric) {
 
 RichParameterList metric_parameters() {
   QStringList metrics;
-  for (const char* name : metric_names) metrics << name;
+  for (const char* name : ruler_metrics) metrics << name;
+  for (const char* name : one_way_metrics) metrics << name;
   const auto usual = [](LayerMetric metric) {
     return static_cast<Scalarm>(usual_weights[static_cast<std::size_t>(metric)]);
   };
@@ -186,7 +227,9 @@ RichParameterList metric_parameters() {
           "What paths cost: their length; the integral of the vertex quality, a cost above 0 for each unit "
           "of length, not a speed (where it is 2, paths count twice); more on slopes, for terrain; more "
           "across ridges and limbs than along them; or the quality of faces as a cost that jumps at edges, "
-          "where paths refract. An index belongs to its metric: newly painted quality is another metric. A "
+          "where paths refract. By the last three, a way back costs something else: seconds on foot by "
+          "Tobler's hiking function if the unit is a metre; length and a cost for each unit of height, up and "
+          "down; or time in a wind or current. These are answered exactly, without an index. An index belongs to its metric: newly painted quality is another metric. A "
           "filter that overwrites the quality keeps the cost as the vertex attribute metric_cost, so that it "
           "can be applied again.",
           advanced),
@@ -201,7 +244,30 @@ RichParameterList metric_parameters() {
       RichFloat("curvature_weight", usual(LayerMetric::curvature), "Curvature weight",
                 "With the metric along curvature: above 0, paths follow ridges and limbs; below 0, they run "
                 "around them.",
+                advanced),
+      RichFloat("uphill_cost", 8, "Uphill cost",
+                "With the metric uphill and downhill cost: what a unit of height costs besides the length of "
+                "the way up; z points upwards. 8 is about Naismith's rule for hikers.",
+                advanced),
+      RichFloat("downhill_cost", 2, "Downhill cost", "The same on the way down.", advanced),
+      RichString("wind_attribute", "wind", "Wind attribute",
+                 "With the metric wind: the custom point attribute of the faces, or of the vertices, that is "
+                 "the velocity of the wind or current.",
+                 advanced),
+      RichFloat("own_speed", 1, "Own speed",
+                "With the metric wind: the speed of what moves in it, greater than that of the wind.",
                 advanced));
+}
+
+RichBool direction_parameter() {
+  return RichBool("to", false, "To the start",
+                  "Measure by the ways to the points instead of from them; this differs only in a metric by "
+                  "which a way back costs something else.",
+                  advanced);
+}
+
+bool asks_for_ways_to(const FilterCall& call) {
+  return call.parameters.hasParameter("to") && call.parameters.getBool("to");
 }
 
 RichParameterList gap_parameters(const MeshDocument& document) {
@@ -237,11 +303,7 @@ LayerMeasure measure_of(const FilterCall& call) {
       measure.cost = cost_of_faces(call);
       break;
     case LayerMetric::slope: {
-      const double penalty = call.parameters.getFloat("slope_penalty");
-      if (!(penalty >= 0.0 && std::isfinite(penalty))) {
-        refuse(call, "slope_penalty", penalty, ". Give a number of at least 0.");
-      }
-      measure.weight = penalty;
+      measure.weight = finite_number(call, "slope_penalty", true);
       // Not in scripts that were written without it.
       if (call.parameters.hasParameter("steepest_grade")) {
         measure.steepest = call.parameters.getFloat("steepest_grade");
@@ -257,6 +319,16 @@ LayerMeasure measure_of(const FilterCall& call) {
       measure.weight = weight;
       break;
     }
+    case LayerMetric::hiking:
+      break;
+    case LayerMetric::climbing:
+      measure.weight = finite_number(call, "uphill_cost", true);
+      measure.downhill = finite_number(call, "downhill_cost", true);
+      break;
+    case LayerMetric::wind:
+      measure.weight = finite_number(call, "own_speed", false);
+      measure.wind = wind_of(call, measure.placement);
+      break;
   }
   return measure;
 }

@@ -10,9 +10,11 @@
 
 namespace vorogeo::plugin {
 
-// The parameters metric, slope_penalty, steepest_grade and curvature_weight; and those by which every filter
-// bridges gaps: gap and bridge_folds.
+// The parameters metric and those of each metric; those by which every filter bridges gaps, gap and
+// bridge_folds; and of filters that measure from points, to: whether by the ways to them.
 RichParameterList metric_parameters();
+RichBool direction_parameter();
+bool asks_for_ways_to(const FilterCall& call);
 QString help_on_metric();
 RichParameterList gap_parameters(const MeshDocument& document);
 

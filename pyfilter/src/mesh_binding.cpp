@@ -8,6 +8,7 @@
 #include "mesh/gaps.h"
 #include "mesh/mesh_check.h"
 #include "mesh/metric.h"
+#include "mesh/one_way.h"
 #include "tasks/curve_sources.h"
 #include "tasks/surface_lines.h"
 
@@ -207,7 +208,25 @@ static std::tuple<SideRows, Index, Index, std::optional<SplitRows>> to_python(Me
   return {to_numpy(std::move(found.sides)), found.shortened_edges, found.split_faces, std::move(splits)};
 }
 
+/// Tensors, row by row, and drifts.
+static auto to_python(Randers&& found) {
+  return std::tuple(to_numpy(std::move(found.tensors)), to_numpy(std::move(found.drifts)));
+}
+
 namespace {
+
+/// A function of an array of grades, called with Python's lock.
+CostOfGrade for_core(const nb::callable& cost) {
+  return [&cost](std::span<const double> grades) {
+    const nb::object found = cost(to_numpy(std::vector<double>(grades.begin(), grades.end())));
+    const auto costs = values_of(nb::cast<ValueArray>(found));
+    return std::vector<double>(costs.begin(), costs.end());
+  };
+}
+
+Values<double> costs_at(const CostOfGrade& cost, const ValueArray& grades) {
+  return to_numpy(cost(values_of(grades)));
+}
 
 // An argument of these functions as the core takes it.
 std::span<const double> for_core(const ValueArray& values) { return values_of(values); }
@@ -243,6 +262,13 @@ void bind_mesh(nb::class_<HeldMesh>& mesh, nb::module_& module) {
   bind_metric<const PointArray&, double>(module, "slope_cost", slope_cost);
   bind_metric<const PointArray&>(module, "grades_of", grades_of);
   bind_metric<double>(module, "curvature_tensors", curvature_tensors);
+  bind_metric<const VertexArray&, const ValueArray&>(module, "travel_time", travel_time);
+  bind_metric<const nb::callable&, const PointArray&>(module, "hiking_time", hiking_time);
+  module.def("tobler", [](const ValueArray& grades) { return costs_at(for_each_grade(tobler), grades); });
+  module.def("naismith", [](const ValueArray& grades) { return costs_at(for_each_grade(naismith), grades); });
+  module.def("climbing_cost", [](const ValueArray& grades, double uphill, double downhill) {
+    return costs_at(climbing_cost(uphill, downhill), grades);
+  });
 }
 
 }  // namespace vorogeo::python

@@ -53,6 +53,12 @@ void build_index(const HeldSurface& self, nb::object progress) {
   bridge.run([&](const Progress& report) { return self.surface->build_index(report) != nullptr; });
 }
 
+/// Answers about the ways back.
+HeldSurface reversed(const HeldSurface& self) {
+  nb::gil_scoped_release release;
+  return {self.held_mesh, {self.surface, &self.surface->reversed()}};
+}
+
 void save(const HeldSurface& self, const std::filesystem::path& file) {
   nb::gil_scoped_release release;
   self.surface->index()->save(file);
@@ -101,14 +107,12 @@ std::pair<double, double> vertex_distance(const HeldSurface& self, Index source,
   return {found, watch.seconds()};
 }
 
-/// `back`: distances of the vertices to the sources.
 auto field(const TaskOptions& how, const HeldSurface& self, const PointArrays& source,
-           const ValueArray& offsets, double max_distance, bool back) {
+           const ValueArray& offsets, double max_distance) {
   const PointList points = points_on(self.mesh(), self.points(source), "Source");
   std::vector<ExactSource> sources;
   for (std::size_t i = 0; i < points.size(); ++i) sources.push_back({points[i], offsets(i)});
-  Surface& surface = back ? self.surface->reversed() : *self.surface;
-  auto found = surface.field(sources, max_distance, how.by, *how.answered, how.progress);
+  auto found = self.surface->field(sources, max_distance, how.by, *how.answered, how.progress);
   const InputMap map(self.mesh());
   return std::tuple(map.of_vertices(std::move(found.distance)), map.of_vertices(std::move(found.source)));
 }
@@ -156,6 +160,7 @@ void bind_surface(nb::class_<HeldMesh>& mesh, nb::class_<HeldSurface>& surface) 
       .def("load_index", &load_index);
   surface.def_ro("mesh", &HeldSurface::held_mesh)
       .def("has_index", &has_index)
+      .def("reversed", &reversed)
       .def("build_index", &build_index, nb::arg("progress").none())
       .def("save", &save)
       .def("face_patches", &face_patches)

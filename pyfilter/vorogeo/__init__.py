@@ -46,6 +46,7 @@ from .metrics import FaceTensor as FaceTensor
 from .metrics import MetricLengths as MetricLengths
 from .metrics import VertexCost as VertexCost
 from .metrics import VertexTensor as VertexTensor
+from .metrics import climbing_cost as climbing_cost
 from .metrics import curvature_tensor as curvature_tensor
 from .metrics import hiking_time as hiking_time
 from .metrics import naismith as naismith

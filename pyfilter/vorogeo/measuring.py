@@ -255,6 +255,7 @@ class Measuring(Tasks):
         width: float,
         method: str | None = None,
         progress: ProgressFunction | bool | None = None,
+        to: bool = False,
     ) -> Band:
         """Area within a distance of the nearest source, and the length of its border.
 
@@ -269,10 +270,12 @@ class Measuring(Tasks):
             sides of it. A path counts as points at most width / 20 apart.
         width : float
             0 or more.
+        to
+            As for `distance_field`.
         """
         reach = check.length("width", width)
         rows, _ = self._source_rows(sources, spacing=reach / _POINTS_IN_WIDTH)
-        return Band(*self._ask(self._shared.core.band, rows, reach, method=method, progress=progress))
+        return Band(*self._ask(self._core(to).band, rows, reach, method=method, progress=progress))
 
     def disk_area(
         self,
@@ -280,11 +283,12 @@ class Measuring(Tasks):
         radius: float,
         method: str | None = None,
         progress: ProgressFunction | bool | None = None,
+        to: bool = False,
     ) -> float:
         """The area within a radius of the nearest source, as `band` finds it."""
         reach = check.length("radius", radius)
         rows, _ = self._source_rows(sources, spacing=reach / _POINTS_IN_WIDTH)
-        found: float = self._ask(self._shared.core.band, rows, reach, method=method, progress=progress)[0]
+        found: float = self._ask(self._core(to).band, rows, reach, method=method, progress=progress)[0]
         return found
 
     def area(

@@ -362,25 +362,8 @@ def travel_time(
     """
     positions, triangles = _mesh(vertices, faces)
     count = len(triangles)
-    along, normal = _spread("wind", wind, (count, 3)), _normals(positions, triangles)
-    own = _spread("speed", speed, (count,))
-    if (own <= 0).any():
-        f = int(np.flatnonzero(own <= 0)[0])
-        raise InvalidInput(f"speed: is {own[f]:g} in face {f}; give finite numbers above 0.")
-    relative = (along - (along * normal).sum(axis=1, keepdims=True) * normal) / own[:, None]
-    lam = 1 - (relative * relative).sum(axis=1)
-    bad = np.flatnonzero(lam <= 0)
-    if bad.size:
-        f = int(bad[0])
-        raise InvalidInput(
-            f"wind: in face {f} it has {np.linalg.norm(relative[f]):g} times the speed {own[f]:g}, so there is no way "
-            "against it; give finite speeds above 0 that are greater than the wind's."
-        )
-    unknown = np.isnan(lam)
-    lam[unknown], relative[unknown], own = 1, np.nan, np.where(unknown, 1, own)
-    tensors = np.eye(3) / lam[:, None, None] + relative[:, :, None] * relative[:, None, :] / (lam**2)[:, None, None]
-    tensors[unknown] = np.eye(3)
-    return FaceRanders(tensors / (own**2)[:, None, None], -relative / (lam * own)[:, None], points)
+    along, own = _spread("wind", wind, (count, 3)), _spread("speed", speed, (count,))
+    return _randers(_core.travel_time(positions, triangles, along, own), points)
 
 
 def tobler(grade: ArrayLike) -> NDArray[np.float64]:
@@ -388,14 +371,28 @@ def tobler(grade: ArrayLike) -> NDArray[np.float64]:
 
     1 / speed of 6 exp(-3.5 abs(grade + 0.05)) km/h: fastest slightly downhill.
     """
-    with np.errstate(over="ignore"):
-        pace: NDArray[np.float64] = 0.6 * np.exp(3.5 * np.abs(np.asarray(grade, dtype=np.float64) + 0.05))
-    return pace
+    return _at_grades(_core.tobler, grade)
 
 
 def naismith(grade: ArrayLike) -> NDArray[np.float64]:
     """Seconds per metre on the map at a grade, by Naismith's rule: 5 km/h, and an hour for each 600 m of ascent."""
-    return 0.72 + 6 * np.maximum(np.asarray(grade, dtype=np.float64), 0)
+    return _at_grades(_core.naismith, grade)
+
+
+def climbing_cost(uphill: float = 8.0, downhill: float = 2.0) -> Callable[[ArrayLike], NDArray[np.float64]]:
+    """A pace for `hiking_time`: length in space, and so much more for each unit of height up and down, at least 0.
+
+    The first default is about Naismith's rule, the second that of walkers who go down steep ways more slowly.
+    """
+    up, down = (check.real(name, cost, "a number") for name, cost in (("uphill", uphill), ("downhill", downhill)))
+    _core.climbing_cost(np.zeros(1), up, down)  # refuses numbers below 0
+    return lambda grade: _at_grades(lambda at: _core.climbing_cost(at, up, down), grade)
+
+
+def _at_grades(law: Callable[[NDArray[np.float64]], NDArray[np.float64]], grade: ArrayLike) -> NDArray[np.float64]:
+    """A law of the core, for grades in an array of any shape."""
+    grades = np.asarray(grade, dtype=np.float64)
+    return law(grades.ravel()).reshape(grades.shape)
 
 
 def wheelchair(grade: ArrayLike) -> NDArray[np.float64]:
@@ -430,36 +427,22 @@ def hiking_time(
         an ellipse around them. Where a gentler grade climbs (or descends) faster, a zigzag at that counts.
     """
     positions, triangles = _mesh(vertices, faces)
-    towards = np.array(check.direction("up", up))
-    towards /= np.abs(towards).max()
-    vertical, normal = towards / np.linalg.norm(towards), _normals(positions, triangles)
-    rise = vertical - (normal @ vertical)[:, None] * normal
-    sine = np.linalg.norm(rise, axis=1)
-    uphill = np.divide(rise, sine[:, None], out=np.zeros_like(rise), where=sine[:, None] > 0)
-    grade = sine / np.maximum(np.sqrt(np.maximum(0.0, 1 - sine * sine)), 1e-6)
-    level = _costs_at("pace", pace, np.zeros(1))[0]
-    ascent, descent = (_climb(pace, grade, sine, way) for way in (1.0, -1.0))
-    if not (np.isfinite(level) and np.isfinite(ascent).all() and np.isfinite(descent).all()):
-        raise InvalidInput("pace: is infinite on the level, or at all grades up or down; give finite costs near 0.")
-    mean, half = (ascent + descent) / 2, (ascent - descent) / 2
-    steep = (mean**2 - level**2)[:, None, None] * uphill[:, :, None] * uphill[:, None, :]
-    return FaceRanders(level**2 * np.eye(3) + steep, half[:, None] * uphill, points)
+    upwards = np.array(check.direction("up", up))
+    return _randers(
+        _core.hiking_time(positions, triangles, lambda grades: _costs_at("pace", pace, grades), upwards), points
+    )
 
 
-def _climb(pace: CostOfGrade, grade: NDArray[np.float64], sine: NDArray[np.float64], way: float) -> NDArray[np.float64]:
-    """The cost of a unit of length straight up (way 1) or down (-1) each slope, or by zigzags at a gentler grade."""
-    grades = np.geomspace(1e-3, 1e3, 60001)
-    least = np.minimum.accumulate(_costs_at("pace", pace, way * grades) / grades)
-    gentler = np.searchsorted(grades, grade, side="right")
-    by_zigzag = np.where(gentler > 0, least[np.maximum(gentler - 1, 0)] * sine, np.inf)
-    straight: NDArray[np.float64] = _costs_at("pace", pace, way * grade) / np.sqrt(1 + grade * grade)
-    return np.minimum(straight, by_zigzag)
+def _randers(found: tuple[NDArray[np.float64], NDArray[np.float64]], points: int | None) -> FaceRanders:
+    """What the compiled core returns."""
+    return FaceRanders(found[0].reshape(-1, 3, 3), found[1], points)
 
 
 def _costs_at(name: str, cost: CostOfGrade, grades: NDArray[np.float64]) -> NDArray[np.float64]:
     """What a function or a table of grade says, one above 0 for each grade."""
     if callable(cost):
-        found = check.numbers(name, cost(grades), "a function that returns a number above 0 for each grade")
+        wanted = "a function that returns a number above 0 for each grade"
+        found = np.ascontiguousarray(check.numbers(name, cost(grades), wanted), dtype=np.float64)
         if found.shape != grades.shape or not (found > 0).all():
             raise InvalidInput(f"{name}: returns other values than one above 0 for each grade; give such a function.")
         return found
@@ -477,15 +460,6 @@ def _costs_at(name: str, cost: CostOfGrade, grades: NDArray[np.float64]) -> NDAr
     return np.where(barred, np.inf, np.interp(grades, at, np.where(none, 0, costs)))
 
 
-def _normals(positions: NDArray[np.float64], faces: NDArray[np.int32]) -> NDArray[np.float64]:
-    """Unit normals; 0 for a face without area."""
-    a, b, c = (positions[faces[:, i]] for i in range(3))
-    normal = np.cross(b - a, c - a)
-    size = np.linalg.norm(normal, axis=1, keepdims=True)
-    units: NDArray[np.float64] = np.divide(normal, size, out=np.zeros_like(normal), where=size > 0)
-    return units
-
-
 def _spread(name: str, values: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.float64]:
     """Finite numbers for each face, or the same in all."""
     wanted = f"finite numbers of shape {shape}, or {shape[1:] or 'one'} for all faces"
@@ -494,7 +468,7 @@ def _spread(name: str, values: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.
     known = np.isfinite(array) | (np.isnan(array) & (array.shape == shape))
     if array.shape not in (shape, shape[1:]) or not known.all():
         raise InvalidInput(f"{name}: has shape {array.shape} or a value that is not finite; give {wanted}.")
-    return np.broadcast_to(array, shape)
+    return np.ascontiguousarray(np.broadcast_to(array, shape))
 
 
 def _lengths(sides: NDArray[np.float64], shortened: int, split: int, splits: Any) -> MetricLengths:

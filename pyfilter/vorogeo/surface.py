@@ -206,7 +206,7 @@ class Surface(Measuring, Means, Directions):
         rows, number = self._source_rows(sources)
         start = check.offsets(offsets, int(number[-1]) + 1)[number]
         found, label = self._ask(
-            self._shared.core.field, rows, start, limit, bool(to), method=method, progress=progress, choices=METHODS
+            self._core(to).field, rows, start, limit, method=method, progress=progress, choices=METHODS
         )
         distance = found.astype(entry, copy=False)
         return (distance, np.where(label < 0, np.int32(-1), number[label])) if return_labels else distance

@@ -100,6 +100,10 @@ class Tasks:
     def _method(self, method: str | None, choices: tuple[str, ...] = METHODS[:3]) -> int:
         return check.choice("method", self._default_method if method is None else method, choices)
 
+    def _core(self, to: bool) -> _core.Surface:
+        """What is asked for the ways from points, or for those to them, which only differ in a metric that goes one way."""
+        return self._shared.core.reversed() if to else self._shared.core
+
     def _ask(
         self,
         question: Callable[..., Any],
@@ -252,7 +256,7 @@ class Tasks:
         method: str | None = None,
         dtype: DTypeLike | None = None,
     ) -> NDArray[Any]:
-        """Distances between all points, or from all points to all others.
+        """Distances from all points to all, or to all others.
 
         Parameters
         ----------
@@ -274,7 +278,8 @@ class Tasks:
         Returns
         -------
         ndarray, shape (k, k) or (k, m)
-            Infinity between components. Without `others` symmetric to the last bit with a zero diagonal.
+            Infinity between components. Without `others` symmetric to the last bit with a zero diagonal, but not
+            symmetric in a metric that goes one way.
 
         Raises
         ------
@@ -312,6 +317,7 @@ class Tasks:
         progress: ProgressFunction | bool | None = None,
         method: str | None = None,
         dtype: DTypeLike | None = None,
+        to: bool = False,
     ) -> NDArray[Any]:
         """The distance field of each source on its own; `distance_field` is that from the nearest of several.
 
@@ -322,6 +328,8 @@ class Tasks:
             Distances above it become infinity; None for no limit.
         out, dtype
             As for `distance_matrix`; so are the errors.
+        to
+            As for `distance_field`.
 
         Returns
         -------
@@ -330,7 +338,7 @@ class Tasks:
         """
         rows, limit = self._rows("sources", sources), check.max_distance(max_distance)
         with matrix(len(rows[0]), len(self.vertices), out, max_bytes, dtype) as result:
-            self._fill(self._shared.core.fill_fields, result, rows, limit, method=method, progress=progress)
+            self._fill(self._core(to).fill_fields, result, rows, limit, method=method, progress=progress)
         return reopened(result, out)
 
     def pairs_within(
@@ -364,8 +372,9 @@ class Tasks:
         Returns
         -------
         scipy.sparse.csr_array or SparseDistances, shape (k, k) or (k, m)
-            Distances; those of 0 (repeated points) are stored as well. Without `others` symmetric to the last bit and
-            without a diagonal. `SparseDistances` where scipy is not installed.
+            Distances from the row's point to the column's; those of 0 (repeated points) are stored as well. Without
+            `others` without a diagonal, and symmetric to the last bit but in a metric that goes one way.
+            `SparseDistances` where scipy is not installed.
         """
         rows = self._rows("points", points)
         columns = None if others is None else self._rows("others", others)
@@ -403,6 +412,7 @@ class Tasks:
         progress: ProgressFunction | bool | None = None,
         method: str | None = None,
         dtype: DTypeLike = np.float64,
+        to: bool = False,
     ) -> tuple[NDArray[Any], NDArray[np.int32]]:
         """The k nearest of a set of points, for each query point: as many fields as the shorter list of these is long.
 
@@ -413,6 +423,8 @@ class Tasks:
         queries : q points
         k : int, default 1
             Number of neighbours; may be larger than the set.
+        to : bool, default False
+            Nearest by the ways to the set instead of from it.
 
         Returns
         -------
@@ -426,22 +438,28 @@ class Tasks:
         count, size = check.integer("k", k, 1, 2**31 - 1), len(asked[0])
         require_memory(f"The result of {size} x {count} neighbours", 24.0 * size * count, None, "lower k.")
         positions, distances = self._ask(
-            self._shared.core.nearest, chosen, asked, count, method=method, progress=progress
+            self._core(to).nearest, chosen, asked, count, method=method, progress=progress
         )
         return distances.reshape(-1, count).astype(entry, copy=False), positions.reshape(-1, count)
 
     def voronoi(
-        self, points: Points, method: str | None = None, progress: ProgressFunction | bool | None = None
+        self,
+        points: Points,
+        method: str | None = None,
+        progress: ProgressFunction | bool | None = None,
+        to: bool = False,
     ) -> VoronoiRegions:
         """Geodesic Voronoi regions of points: the nearest point of every vertex and face, and the borders.
 
         Borders are exact on flat parts of the surface, given the distances of the vertices: in each face the difference
         of two squared distances is interpolated linearly. Complexity: a field for each point, bounded by the greatest
         distance of a vertex from its point. At least one point is given; one that repeats an earlier one owns nothing.
+        In a metric that goes one way, regions are those that each point reaches first; with `to`, those from which one
+        reaches it first.
         """
         chosen = self._rows("points", points, least=1)
         vertex_region, distance, face_region, area, ends, edges, sides = self._ask(
-            self._shared.core.voronoi, chosen, method=method, progress=progress
+            self._core(to).voronoi, chosen, method=method, progress=progress
         )
         return VoronoiRegions(vertex_region, distance, face_region, area, Polylines(ends, edges), sides)
 
@@ -487,6 +505,7 @@ class Tasks:
         seed: int = 0,
         method: str | None = None,
         progress: ProgressFunction | bool | None = None,
+        to: bool = False,
     ) -> FarthestSamples:
         """Farthest point sampling: each sample is the vertex farthest from the previous ones.
 
@@ -503,6 +522,8 @@ class Tasks:
             The first samples, anywhere on the surface; without them the first one is random.
         seed : int, default 0
             Of the random first sample.
+        to : bool, default False
+            Far by the ways to samples instead of from them.
         """
         limit = 0 if count is None else check.integer("count", count, 1, 2**31 - 1)
         reach = check.length("radius", radius)
@@ -510,7 +531,7 @@ class Tasks:
             raise InvalidInput("Give a count of samples, or a covering radius above 0 at which to stop.")
         first, seed = self._rows("start", start), check.integer("seed", seed, 0, 2**64 - 1)
         rows, gaps, distance, covered = self._ask(
-            self._shared.core.sample_farthest, limit, reach, first, seed, method=method, progress=progress
+            self._core(to).sample_farthest, limit, reach, first, seed, method=method, progress=progress
         )
         return FarthestSamples(rows[0], gaps, distance, covered, surface_points(rows))
 
@@ -537,7 +558,7 @@ class Tasks:
         found: NDArray[np.int32] = samples
         return found
 
-    def disk(self, sources: Sources, radius: float, method: str | None = None) -> Disk:
+    def disk(self, sources: Sources, radius: float, method: str | None = None, to: bool = False) -> Disk:
         """Vertices and faces within a radius of the nearest source.
 
         Parameters
@@ -546,14 +567,20 @@ class Tasks:
             Or an `EdgeCurve` or a `GeodesicPath`, or a list that contains some.
         radius : float
             0 or more.
+        to
+            As for `distance_field`.
         """
         rows, _ = self._source_rows(sources)
-        return Disk(*self._ask(self._shared.core.disk, rows, check.length("radius", radius), method=method))
+        return Disk(*self._ask(self._core(to).disk, rows, check.length("radius", radius), method=method))
 
     def eccentricity(
-        self, points: Points, method: str | None = None, progress: ProgressFunction | bool | None = None
+        self,
+        points: Points,
+        method: str | None = None,
+        progress: ProgressFunction | bool | None = None,
+        to: bool = False,
     ) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
-        """The greatest distance from each point within its component, and the vertex at that distance.
+        """The greatest distance from each point (or `to` it) within its component, and the vertex at that distance.
 
         Returns
         -------
@@ -561,7 +588,7 @@ class Tasks:
         farthest : ndarray of int32, shape (k,)
         """
         chosen = self._rows("points", points)
-        distances, farthest = self._ask(self._shared.core.eccentricity, chosen, method=method, progress=progress)
+        distances, farthest = self._ask(self._core(to).eccentricity, chosen, method=method, progress=progress)
         return distances, farthest
 
     def extent(

@@ -23,8 +23,9 @@ from .sources import values_in
 
 def field(task: MeshTask) -> Result:
     """Distance of every vertex from the nearest source."""
+    sources, to = task.sources()
     values = task.surface.distance_field(
-        task.points("from"), task.options.get("max_distance"), method=task.method, dtype=task.dtype
+        sources, task.options.get("max_distance"), to=to, method=task.method, dtype=task.dtype
     )
     reached = values[np.isfinite(values)]
     text = f"{reached.size} of {values.size} vertices reached, the farthest at {reached.max(initial=0):.6g}"
@@ -86,7 +87,8 @@ def neighbours(task: MeshTask) -> Result:
 
 def voronoi(task: MeshTask) -> Result:
     """The nearest point of every vertex and face, and areas of the regions."""
-    found = task.surface.voronoi(task.points("from"), method=task.method, progress=task.progress)
+    sources, to = task.sources()
+    found = task.surface.voronoi(sources, method=task.method, progress=task.progress, to=to)
     arrays: dict[str, NDArray[Any]] = {
         "vertex_region": found.vertex_region,
         "face_region": found.face_region,
@@ -172,14 +174,15 @@ def area(task: MeshTask) -> Result:
         curve = task.surface.path_through(task.points("inside"), closed=True, **how)
         inside: Any = task.surface.area(inside=curve, progress=task.progress)
         return _table(task, {"area": inside.area, "border_length": inside.border_length})
-    sources, radius = task.options.get("from") and task.points("from"), task.options.get("radius")
+    radius = task.options.get("radius")
     if radius is None:
         raise InvalidInput("--radius: is missing; give how far from --from or --curve, or name --inside or --regions.")
     if task.options.get("curve"):
-        sources = task.surface.path_through(task.points("curve"), closed=bool(task.options.get("closed")), **how)
-    if sources is None:
-        raise InvalidInput("--from: is missing; name points, or one of --curve, --inside and --regions.")
-    found = task.surface.band(sources, radius, **how)
+        curve = task.surface.path_through(task.points("curve"), closed=bool(task.options.get("closed")), **how)
+        found = task.surface.band(curve, radius, **how)
+    else:
+        sources, to = task.sources()
+        found = task.surface.band(sources, radius, **how, to=to)
     return _table(task, {"area": found.area, "border_length": found.border_length})
 
 
@@ -238,9 +241,8 @@ def profile(task: MeshTask) -> Result:
 def cut(task: MeshTask) -> Result:
     """The mesh cut along the path through points, or at distances from sources; all of it or a region."""
     if task.options.get("levels"):
-        if not task.options.get("from"):
-            raise InvalidInput("--from: is missing; name the sources whose distances --levels are.")
-        distances = task.surface.distance_field(task.points("from"), method=task.method)
+        sources, to = task.sources()
+        distances = task.surface.distance_field(sources, to=to, method=task.method)
         found = task.surface.cut_at_levels(distances, task.options["levels"], progress=task.progress)
     elif task.options.get("points"):
         found = task.surface.cut(_path_through(task), progress=task.progress)

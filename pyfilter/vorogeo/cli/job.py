@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from ..errors import InvalidInput
 from ..mesh_files import read_mesh
-from ..metrics import Metric
+from ..metrics import FaceRanders, Metric
 from ..points import Points
 from ..surface import GeodesicIndex, Surface
 from .sources import metric_of, points_of
@@ -115,14 +115,21 @@ class MeshTask:
 
     @cached_property
     def surface(self) -> Surface:
-        """What answers: the index, unless distances are exact or few and no file of one is named."""
-        without = self.exact or self.job.command in _WITHOUT_INDEX
+        """What answers: the index, unless distances are exact or few, or go one way, and no file of one is named."""
+        without = self.exact or self.job.command in _WITHOUT_INDEX or isinstance(self.metric, FaceRanders)
         return self.plain if without and not self.options.get("index") else self.index
 
     def points(self, option: str) -> Points:
         """The points of an option such as ``--from``."""
         limit = self.options.get("max_snap")
         return points_of(f"--{option}", self.options[option], lambda where: self.surface.snap(where, limit), self.scale)
+
+    def sources(self) -> tuple[Points, bool]:
+        """The points of --from or --to, and whether the ways to them are asked for."""
+        given = [option for option in ("from", "to") if self.options.get(option)]
+        if len(given) != 1:
+            raise InvalidInput("--from: is missing; name the sources, or by --to points to go to.")
+        return self.points(given[0]), given == ["to"]
 
     @property
     def shown_mesh(self) -> tuple[NDArray[Any], NDArray[Any]]:

@@ -24,7 +24,9 @@ results
   quality, or lines), .gii (a value for each vertex). Files appear whole or not at all.
 
 metrics
-  With --metric, --slope-penalty or --curvature-weight, distances, radii and areas are in the unit of that cost.
+  With --metric, --slope-penalty, --hiking or --curvature-weight, distances, radii and areas are in the unit of that
+  cost. With --hiking and in a wind, ways back cost something else: all is exact then, and --to asks for the ways to
+  points.
 
 json
   With --json, one object on the standard output: "command", "results" (of each mesh "mesh", "out", "seconds" and what
@@ -73,6 +75,17 @@ def _vector(text: str) -> list[float]:
     return [x, y, z]
 
 
+def _pace(text: str) -> str | list[float]:
+    """The name of a law, or what a unit of height costs up and down."""
+    if text in ("tobler", "naismith"):
+        return text
+    try:
+        up, down = (float(number) for number in text.split(","))
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not tobler, naismith or two numbers UP,DOWN") from None
+    return [up, down]
+
+
 _LENGTH = _number(float, 0, float("inf"), "a length of 0 or more")
 _COUNT = _number(int, 1, 2**31 - 1, "a whole number from 1 on")
 _SEED = _number(int, 0, 2**64 - 1, "a seed of 0 or more")
@@ -88,6 +101,7 @@ _TAKES: dict[str, dict[str, Any]] = {
     "L": {"type": _LENGTH},
     "X,Y,Z": {"type": _vector},
     "P": {"type": _LENGTH},
+    "PACE": {"type": _pace},
     "W": {"type": _number(float, float("-inf"), float("inf"), "a number")},
     "D": {"type": _number(float, 0, 1, "a number from 0 to below 1"), "default": 0.0},
     "K": {"type": _COUNT},
@@ -110,6 +124,8 @@ _JSON = _option(
     "--json", "one JSON object on the standard output instead of lines; progress and errors stay on the other"
 )
 _SOURCES = _option("--from POINT", "the sources", required=True)
+#: Which of them is needed, `MeshTask.sources` says.
+_FROM_OR_TO = [_option("--from POINT", "the sources"), _option("--to POINT", "instead: by the ways to these")]
 _PAIRS = (
     _option("--from POINT", "where they begin", required=True),
     _option("--to POINT", "where they end; one start may have many ends, or one end many starts", required=True),
@@ -124,9 +140,9 @@ _THROUGH = (
 #: By command: what it does, what it needs besides a mesh, and its own options.
 _COMMANDS: dict[str, tuple[str, str, _Options]] = {
     "field": (
-        "Distance of every vertex from the nearest source.",
+        "Distance of every vertex from the nearest source, or to it.",
         "--from POINT...",
-        (_SOURCES, _option("--max-distance L", "distances above it become infinite")),
+        (_FROM_OR_TO, _option("--max-distance L", "distances above it become infinite")),
     ),
     "distance": (
         "Distances of pairs of points; without --out they are printed.",
@@ -155,7 +171,7 @@ _COMMANDS: dict[str, tuple[str, str, _Options]] = {
             _option("--points POINT", "the points; default: all vertices"),
         ),
     ),
-    "voronoi": ("The nearest source of every vertex and face, areas and borders.", "--from POINT...", (_SOURCES,)),
+    "voronoi": ("The nearest source of every vertex and face, areas and borders.", "--from POINT...", (_FROM_OR_TO,)),
     "sample": (
         "Vertices spread evenly over the surface.",
         "",
@@ -194,6 +210,7 @@ _COMMANDS: dict[str, tuple[str, str, _Options]] = {
         (
             [
                 _option("--from POINT", "the points, with --radius"),
+                _option("--to POINT", "the points, by the ways to them"),
                 _option("--curve POINT", "in order; with --radius, the path through them"),
                 _option("--inside POINT", "in order; the path through them and back to the first"),
                 _option("--regions FILE", "of each vertex or face the number of its region (.npy, .txt, .csv, GIFTI)"),
@@ -229,7 +246,7 @@ _COMMANDS: dict[str, tuple[str, str, _Options]] = {
         (
             _option("--points POINT", "in order; a path through them is the line"),
             *_THROUGH[1:],
-            _option("--from POINT", "the sources"),
+            _FROM_OR_TO,
             _option("--levels L", "distances from the sources", nargs="+"),
             _option(
                 "--region N", "this part only; default: all, with the part of each face as its quality", type=_REGION
@@ -345,9 +362,14 @@ _COMMON: _Options = (
         _option(
             "--metric FILE",
             "what a step costs, so that paths are the cheapest: a number above 0 for each vertex or face (.npy, "
-            ".txt, .csv, GIFTI), or a tensor (.npy of shape (n, 3, 3))",
+            ".txt, .csv, GIFTI), a tensor (.npy of shape (n, 3, 3)), or of each face a wind in which to move at speed 1",
         ),
         _option("--slope-penalty P", "terrain, z upwards: a step costs 1 + P sin(slope)"),
+        _option(
+            "--hiking PACE",
+            "terrain, z upwards, one thing up and another down: seconds by 'tobler' or 'naismith' on metres, or UP,DOWN: "
+            "length, and so much more for each unit of height",
+        ),
         _option("--curvature-weight W", "a step across limbs, ridges and valleys costs up to sqrt(1 + W)"),
     ],
     _option(

@@ -13,7 +13,20 @@ from numpy.typing import NDArray
 from ..brain import vertex_values
 from ..errors import InvalidInput
 from ..mesh_files import read_mesh
-from ..metrics import FaceCost, FaceTensor, Metric, VertexCost, VertexTensor, curvature_tensor, slope_cost
+from ..metrics import (
+    FaceCost,
+    FaceTensor,
+    Metric,
+    VertexCost,
+    VertexTensor,
+    climbing_cost,
+    curvature_tensor,
+    hiking_time,
+    naismith,
+    slope_cost,
+    tobler,
+    travel_time,
+)
 from ..points import Points, SurfacePoints
 
 _TABLES = (".npy", ".txt", ".csv", ".dat")
@@ -76,16 +89,20 @@ def values_in(name: str, file: str) -> NDArray[Any]:
 def metric_of(options: dict[str, Any], vertices: NDArray[np.float64], faces: NDArray[np.int32]) -> Metric | None:
     """What paths cost on this mesh; None is their length."""
     if options.get("metric"):
-        return _metric_from_file(options["metric"], len(vertices), len(faces))
+        return _metric_from_file(options["metric"], vertices, faces)
     if options.get("slope_penalty") is not None:
         return slope_cost(vertices, faces, penalty=options["slope_penalty"])
+    if options.get("hiking") is not None:
+        pace = options["hiking"]
+        known = {"tobler": tobler, "naismith": naismith}
+        return hiking_time(vertices, faces, known[pace] if isinstance(pace, str) else climbing_cost(*pace))
     if options.get("curvature_weight") is not None:
         return curvature_tensor(vertices, faces, options["curvature_weight"])
     return None
 
 
-def _metric_from_file(file: str, count: int, face_count: int) -> Metric:
-    values = values_in("--metric", file)
+def _metric_from_file(file: str, vertices: NDArray[np.float64], faces: NDArray[np.int32]) -> Metric:
+    values, count, face_count = values_in("--metric", file), len(vertices), len(faces)
     if values.shape == (count,):
         return VertexCost(values)
     if values.shape == (count, 3, 3):
@@ -94,7 +111,9 @@ def _metric_from_file(file: str, count: int, face_count: int) -> Metric:
         return FaceCost(values)
     if values.shape == (face_count, 3, 3):
         return FaceTensor(values)
+    if values.shape == (face_count, 3):
+        return travel_time(vertices, faces, values)
     raise InvalidInput(
         f"--metric {file}: holds numbers of shape {values.shape}; give a cost for each of the {count} vertices or "
-        f"{face_count} faces, or a tensor of shape (3, 3) for each."
+        f"{face_count} faces, a tensor of shape (3, 3) for each, or a wind of shape (3,) for each face."
     )
