@@ -1,4 +1,4 @@
-"""Walking times on a real elevation grid: up is not down, so isochrones and paths there and back differ.
+"""Walking times on a real elevation grid: up is not down, so isochrones, paths and regions there and back differ.
 
 Usage: python samples/hiking.py       (needs samples/setup.sh once; writes samples/out/hiking.png)
 The grid is the one that comes with matplotlib: the Jacksboro fault in Tennessee, 3 arc seconds, heights in metres.
@@ -46,18 +46,31 @@ for name, path in (("there", there), ("back", back)):
 difference = np.abs(hours[0] - hours[1]) / np.maximum(hours[0] + hours[1], 1e-9)
 print(f"each way differs from the mean of both by {100 * difference.mean():.0f} % on average")
 
+# Which hut is reached first, and from which one is back first.
+huts = [int(row * SIZE + column) for row, column in ((22, 30), (35, 100), (95, 20), (105, 95))]
+regions = [surface.voronoi(huts, to=to) for to in (True, False)]
+moved = (regions[0].vertex_region != regions[1].vertex_region).mean()
+print(f"{100 * moved:.1f} % of the places are nearer to another hut on the way there than on the way back")
+
 shade = colors.LightSource(315, 45).hillshade(height, dx=spacing[0], dy=spacing[1])
-figure, axes = pyplot.subplots(1, 2, figsize=(11, 5.2))
+figure, axes = pyplot.subplots(1, 3, figsize=(12.5, 5.2))
 titles = ("hours from the valley", "hours to the valley")
 levels = np.linspace(0, max(field.max() for field in hours), 16)
-for axis, field, path, title in zip(axes, hours, (there, back), titles, strict=True):
+for axis in axes:
     axis.imshow(shade, cmap="gray", extent=(0, x.max(), y.min(), 0), alpha=0.7)
+    axis.axis("off")
+for axis, field, path, title in zip(axes[:2], hours, (there, back), titles, strict=True):
     lines = axis.contour(x, y, field.reshape(x.shape), levels, cmap="viridis", linewidths=1)
     axis.clabel(lines, fmt="%.1f", fontsize=7)
     axis.plot(path.points[:, 0], path.points[:, 1], color="crimson", linewidth=1.8)
     axis.plot(*vertices[[valley, summit], :2].T, "o", color="crimson", markersize=4)
     axis.set_title(title, fontsize=10)
-    axis.axis("off")
+for found, color, name in zip(regions, ("crimson", "navy"), ("first hut to reach", "first back from it"), strict=True):
+    lines = np.concatenate([[*found.borders.points[edge, :2], [np.nan] * 2] for edge in found.borders.edges])
+    axes[2].plot(*lines.T, color=color, linewidth=1.5, label=name)
+axes[2].plot(*vertices[huts, :2].T, "^", color="black", markersize=7)
+axes[2].legend(fontsize=8, loc="lower right")
+axes[2].set_title("regions of huts, there and back", fontsize=10)
 figure.tight_layout()
 Path("samples/out").mkdir(exist_ok=True)
 figure.savefig("samples/out/hiking.png", dpi=90)

@@ -127,8 +127,8 @@ Results write_distance_field(FilterCall& call, LayerSurface& layer, const std::v
   std::ostringstream text;
   const bool to = asks_for_ways_to(call);
   text << (to ? "Distances to " : "Distances from ") << sources.size() << kind << (to ? " from " : " to ")
-       << reach.reached << " vertices, the largest "
-       << logged_length(reach.largest) << ", in " << std::setprecision(3) << answered.seconds << " s";
+       << reach.reached << " vertices, the largest " << logged_length(reach.largest) << ", in "
+       << std::setprecision(3) << answered.seconds << " s";
   call.log(text.str());
   if (answered.expected_error > 0.0) {
     std::ostringstream error;
@@ -220,16 +220,17 @@ Results distances_from_border(FilterCall& call) {
 // ---- Distance from the points or lines of another layer, or from edges
 
 RichParameterList from_layer_parameters(const MeshDocument& document) {
-  return list_of(source_layer_parameter(document, "points or lines"), method_and_max_distance(document),
-                 max_snap_distance_parameter(document), spacing_parameter(document),
+  return list_of(source_layer_parameter(document, "points or lines"), max_snap_distance_parameter(document),
+                 spacing_parameter(document),
                  RichBool("quality_as_offset", false, "Quality as offset",
-                          "Add the quality of a point of the source layer to the distances from it."));
+                          "Add the quality of a point of the source layer to the distances from it."),
+                 method_and_max_distance(document));
 }
 
 RichParameterList from_edges_parameters(const MeshDocument& document) {
   return list_of(
       RichBool("from_border", false, "From the border", "All border edges instead of the selected ones."),
-      method_and_max_distance(document), spacing_parameter(document));
+      spacing_parameter(document), method_and_max_distance(document));
 }
 
 Results distances_from_layer(FilterCall& call) {
@@ -518,14 +519,13 @@ std::vector<FilterRow> distance_rows() {
             return list_of(start_parameters(document, start_meaning), field_parameters(document));
           },
           [](FilterCall& call) { return distances_from_point(call, AnswerMethod::exact); }),
-      field_row(
-          "Exact geodesic distance from the selection (VoroGeo)",
-          "compute_scalar_by_exact_geodesic_distance_from_selection_per_vertex",
-          "<p>Exact geodesic distance of every vertex from the nearest selected vertex: the length of "
-          "the shortest path over the surface.</p>" +
-              exact,
-          field_parameters,
-          [](FilterCall& call) { return distances_from_selection(call, AnswerMethod::exact); }),
+      field_row("Exact geodesic distance from the selection (VoroGeo)",
+                "compute_scalar_by_exact_geodesic_distance_from_selection_per_vertex",
+                "<p>Exact geodesic distance of every vertex from the nearest selected vertex: the length of "
+                "the shortest path over the surface.</p>" +
+                    exact,
+                field_parameters,
+                [](FilterCall& call) { return distances_from_selection(call, AnswerMethod::exact); }),
       field_row(
           "Geodesic distance from the points or lines of a layer (VoroGeo)",
           "compute_scalar_by_vorogeo_distance_from_layer_per_vertex",

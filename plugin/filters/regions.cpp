@@ -325,8 +325,8 @@ RichParameterList disk_parameters(const MeshDocument& document) {
                  RichInt("vertex_index", -1, "Vertex",
                          "Number of the vertex in the middle, counted from 0; -1: all selected vertices, or "
                          "the points given below."),
-                 task_point_parameters(document, "points around which the disk shall lie"),
-                 exact_parameter(), direction_parameter());
+                 task_point_parameters(document, "points around which the disk shall lie"), exact_parameter(),
+                 direction_parameter());
 }
 
 TaskPoints disk_sources(const FilterCall& call, LayerSurface& layer) {
@@ -386,7 +386,8 @@ Results measure_disk(FilterCall& call) {
 
 RichParameterList band_parameters(const MeshDocument& document) {
   return list_of(length_parameter(document, "width", 0.02, "Width", "Greatest geodesic distance."),
-                 curve_parameters(document), spacing_parameter(document), exact_parameter(), direction_parameter());
+                 curve_parameters(document), spacing_parameter(document), exact_parameter(),
+                 direction_parameter());
 }
 
 Results measure_band(FilterCall& call) {

@@ -120,13 +120,14 @@ double finite_number(const FilterCall& call, const char* name, bool may_be_zero)
 std::vector<Point> wind_of(const FilterCall& call, const Placement& placement) {
   CMeshO& layer = call.layer.cm;
   const std::string name = call.parameters.getString("wind_attribute").toStdString();
-  const auto of_faces = vcg::tri::Allocator<CMeshO>::FindPerFaceAttribute<Point3m>(layer, name);
-  const auto of_vertices = vcg::tri::Allocator<CMeshO>::FindPerVertexAttribute<Point3m>(layer, name);
+  auto of_faces = vcg::tri::Allocator<CMeshO>::FindPerFaceAttribute<Point3m>(layer, name);
+  auto of_vertices = vcg::tri::Allocator<CMeshO>::FindPerVertexAttribute<Point3m>(layer, name);
   const bool by_face = vcg::tri::Allocator<CMeshO>::IsValidHandle(layer, of_faces);
   if (!by_face && !vcg::tri::Allocator<CMeshO>::IsValidHandle(layer, of_vertices)) {
-    refuse(call, "wind_attribute", "'" + name + "'",
-           ", but neither the faces nor the vertices have a custom point attribute of this name. Make one, for "
-           "example with 'Define New Per Face Custom Attribute'.");
+    refuse(
+        call, "wind_attribute", "'" + name + "'",
+        ", but neither the faces nor the vertices have a custom point attribute of this name. Make one, for "
+        "example with 'Define New Per Face Custom Attribute'.");
   }
   const Point origin = placement.to_scene({});
   std::vector<Point> wind;
@@ -187,11 +188,13 @@ Metric metric_in(const LayerMeasure& measure, const VcgMeshArrays& arrays) {
     case LayerMetric::hiking:
       return metric_of(positions, faces, hiking_time(positions, faces, for_each_grade(tobler), {0, 0, 1}));
     case LayerMetric::climbing:
-      return metric_of(positions, faces,
-                       hiking_time(positions, faces, climbing_cost(measure.weight, measure.downhill), {0, 0, 1}));
+      return metric_of(
+          positions, faces,
+          hiking_time(positions, faces, climbing_cost(measure.weight, measure.downhill), {0, 0, 1}));
     case LayerMetric::wind:
-      return metric_of(positions, faces,
-                       travel_time(positions, faces, measure.wind, std::vector(faces.size(), measure.weight)));
+      return metric_of(
+          positions, faces,
+          travel_time(positions, faces, measure.wind, std::vector(faces.size(), measure.weight)));
   }
   return {};
 }
@@ -228,8 +231,10 @@ RichParameterList metric_parameters() {
           "of length, not a speed (where it is 2, paths count twice); more on slopes, for terrain; more "
           "across ridges and limbs than along them; or the quality of faces as a cost that jumps at edges, "
           "where paths refract. By the last three, a way back costs something else: seconds on foot by "
-          "Tobler's hiking function if the unit is a metre; length and a cost for each unit of height, up and "
-          "down; or time in a wind or current. These are answered exactly, without an index. An index belongs to its metric: newly painted quality is another metric. A "
+          "Tobler's hiking function if the unit is a metre; length and a cost for each unit of height, up "
+          "and "
+          "down; or time in a wind or current. These are answered exactly, without an index. An index "
+          "belongs to its metric: newly painted quality is another metric. A "
           "filter that overwrites the quality keeps the cost as the vertex attribute metric_cost, so that it "
           "can be applied again.",
           advanced),

@@ -29,16 +29,17 @@ enum class LayerMetric { length, vertex_quality, slope, curvature, face_quality,
 inline constexpr std::array<const char*, 5> ruler_metrics{"Length", "Vertex quality as cost", "Slope penalty",
                                                           "Along curvature", "Face quality as cost"};
 /// The metrics that go one way, after these.
-inline constexpr std::array<const char*, 3> one_way_metrics{"Hiking time", "Uphill and downhill cost", "Wind"};
+inline constexpr std::array<const char*, 3> one_way_metrics{"Hiking time", "Uphill and downhill cost",
+                                                            "Wind"};
 /// slope_penalty and curvature_weight by default; 0 in other metrics of the ruler.
 inline constexpr std::array usual_weights{0.0, 0.0, 1.0, 3.0, 0.0};
 
 /// What decides, besides a layer's mesh, which distances it has.
 struct LayerMeasure {
   LayerMetric metric = LayerMetric::length;
-  double weight = 0.0;    ///< slope_penalty, curvature_weight, uphill_cost or own_speed; 0 in other metrics
-  double steepest = 0.0;  ///< steepest_grade: faces above it are barriers; 0: none, and in other metrics
-  double downhill = 0.0;  ///< downhill_cost; 0 in other metrics
+  double weight = 0.0;      ///< slope_penalty, curvature_weight, uphill_cost or own_speed; 0 in other metrics
+  double steepest = 0.0;    ///< steepest_grade: faces above it are barriers; 0: none, and in other metrics
+  double downhill = 0.0;    ///< downhill_cost; 0 in other metrics
   std::vector<Point> wind;  ///< in the scene, of each face that is not deleted; empty in other metrics
   std::vector<double>
       cost;  ///< by quality: of each vertex or face that is not deleted; empty in other metrics

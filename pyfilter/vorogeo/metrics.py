@@ -253,8 +253,9 @@ class FaceRanders:
 
     Notes
     -----
-    `Surface.distance_field`, `distance`, `distances` and `path` answer, by the method "exact": from the sources, and
-    with ``to=True`` to them. Indexes, quick fields and tasks refuse it.
+    Fields, pairs, paths and what is built on fields, such as `Surface.voronoi`, `disk`, `band` and `sample_farthest`,
+    are answered by the method "exact": from the points, and with ``to=True`` to them. What needs ways back that cost
+    the same, as an index does, refuses it.
 
     Examples
     --------

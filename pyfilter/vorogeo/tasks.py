@@ -101,7 +101,7 @@ class Tasks:
         return check.choice("method", self._default_method if method is None else method, choices)
 
     def _core(self, to: bool) -> _core.Surface:
-        """What is asked for the ways from points, or for those to them, which only differ in a metric that goes one way."""
+        """What is asked about the ways from points, or to them; they only differ in a metric that goes one way."""
         return self._shared.core.reversed() if to else self._shared.core
 
     def _ask(
@@ -437,9 +437,7 @@ class Tasks:
         chosen, asked = self._rows("points", points), self._rows("queries", queries)
         count, size = check.integer("k", k, 1, 2**31 - 1), len(asked[0])
         require_memory(f"The result of {size} x {count} neighbours", 24.0 * size * count, None, "lower k.")
-        positions, distances = self._ask(
-            self._core(to).nearest, chosen, asked, count, method=method, progress=progress
-        )
+        positions, distances = self._ask(self._core(to).nearest, chosen, asked, count, method=method, progress=progress)
         return distances.reshape(-1, count).astype(entry, copy=False), positions.reshape(-1, count)
 
     def voronoi(

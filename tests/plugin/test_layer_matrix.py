@@ -49,6 +49,7 @@ from support import (
     tube,
 )
 
+ONE_WAY = ["Hiking time", "Uphill and downhill cost"]
 SIDES, RINGS = 12, 9
 RING = SIDES * 4 + np.append(np.arange(SIDES), 0)  # in the middle of the tube, closed
 
@@ -181,7 +182,7 @@ def test_what_depends_on_the_outside_is_that_of_the_frozen_layer(name, matrix):
     assert_as_frozen(name, matrix)
 
 
-@pytest.mark.parametrize("metric", ["Vertex quality as cost", "Slope penalty", "Along curvature"])
+@pytest.mark.parametrize("metric", ["Vertex quality as cost", "Slope penalty", "Along curvature", *ONE_WAY])
 @pytest.mark.parametrize("matrix", MATRICES)
 def test_metrics_are_those_of_the_frozen_layer(metric, matrix):
     assert_as_frozen(EXACT_FROM_POINT, matrix, metric=metric)

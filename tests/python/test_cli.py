@@ -176,6 +176,34 @@ def test_metrics_from_files_and_from_the_shape(mesh, tmp_path):
     np.testing.assert_allclose(np.load("f.npy"), APART[0], atol=1e-9)  # a plane has no curvature
 
 
+def test_up_and_down_and_with_the_wind(mesh, tmp_path, capsys):
+    quiet = ["--quiet", "--out"]
+    grade = 0.2
+    write_off(tmp_path / "slope.off", VERTICES * [1, 1, 0] + np.outer(VERTICES[:, 0], [0, 0, grade]), FACES)
+    low, high = 5 * 13, 5 * 13 + 12
+    up, down = (0.6 * np.exp(3.5 * (grade + sign * 0.05)) * 1.2 for sign in (1, -1))
+    ends = ["--from", str(low), "--to", str(high)]
+    for pace, there, back in (
+        ("tobler", up, down),
+        ("naismith", (0.72 + 6 * grade) * 1.2, 0.72 * 1.2),
+        ("8,2", (np.hypot(1, grade) + 8 * grade) * 1.2, (np.hypot(1, grade) + 2 * grade) * 1.2),
+    ):
+        for option, expected in (("--from", there), ("--to", back)):
+            assert main(["field", "slope.off", option, str(low), "--hiking", pace, *quiet, "f.npy"]) == 0
+            assert np.load("f.npy")[high] == pytest.approx(expected, rel=1e-9)
+        assert main(["distance", "slope.off", *ends, "--hiking", pace, *quiet, "d.npy"]) == 0
+        assert np.load("d.npy")[0] == pytest.approx(there, rel=1e-9)
+    np.save("wind.npy", np.tile([0.5, 0.0, 0.0], (len(FACES), 1)))
+    for option, speed in (("--from", 1.5), ("--to", 0.5)):
+        assert main(["voronoi", mesh, option, str(low), "--metric", "wind.npy", *quiet, "v.npz"]) == 0
+        assert np.load("v.npz")["distance"][high] == pytest.approx(1.2 / speed, rel=1e-9)
+        assert main(["area", mesh, option, "71", "--radius", "0.2", "--metric", "wind.npy", *quiet, "a.npy"]) == 0
+        assert np.load("a.npy")[0, 0] == pytest.approx(np.pi * 0.2**2 / 0.75**1.5, rel=1e-4)
+    for command, what in (("index", "Indexes"), ("sample --method poisson --radius 1", "Poisson-disk samplings")):
+        assert main([*command.split(), mesh, "--metric", "wind.npy", *quiet, "x.vgi"]) == 1
+        assert f"{what} need ways back that cost the same, and this metric goes one way" in capsys.readouterr().err
+
+
 def test_an_index_belongs_to_its_metric(mesh, capsys):
     np.save("twice.npy", np.full(143, 2.0))
     metric = ["--metric", "twice.npy", "--quiet"]
@@ -210,7 +238,7 @@ def test_the_default_name_is_made_of_mesh_and_command(mesh, capsys):
         (["loop", "plane.off", "--curve", "0", "1", "14"], 1, "slips off: pulled tight, it contracts to a point"),
         (["girth", "plane.off", "--at", "70"], 1, "is not closed: it meets the border at the edge between"),
         (["girth", "plane.off", "--at", "70", "--normal", "0,1"], 2, "'0,1' is not a vector x,y,z"),
-        (["area", "plane.off", "--radius", "1"], 1, "--from: is missing; name points, or one of --curve"),
+        (["area", "plane.off", "--radius", "1"], 1, "--from: is missing; name the sources, or points to go to by --to"),
         (["area", "plane.off", "--from", "0"], 1, "--radius: is missing; give how far"),
         (["area", "plane.off", "--from", "0", "--inside", "0", "1"], 2, "not allowed with argument --from"),
         (["area", "plane.off", "--regions", "no.npy"], 1, "--regions no.npy: there is no such file"),
@@ -234,12 +262,16 @@ def test_the_default_name_is_made_of_mesh_and_command(mesh, capsys):
         (["cut-locus", "plane.off", "--from", "0", "--min-angle", "181"], 2, "'181' is not an angle from 0 to 180"),
         (["field", "text.off", "--from", "0"], 1, "text.off: cannot be read as a mesh"),
         (["field", "short.off", "--from", "0"], 1, "ends before the numbers of vertices and faces"),
-        (["field", "plane.off"], 2, "vorogeo field: error: the following arguments are required: --from"),
+        (["field", "plane.off"], 2, "vorogeo field: error: one of the arguments --from --to is required"),
         (["neighbours", "plane.off", "--radius", "-1"], 2, "'-1' is not a length of 0 or more"),
         (["field", "plane.off", "--from", "0", "--metric", "no.npy"], 1, "--metric no.npy: there is no such file"),
         (["field", "plane.off", "--from", "0", "--metric", "text.off"], 1, "cannot be read"),
         (["field", "plane.off", "--from", "0", "--metric", "few.csv"], 1, "give a cost for each of the 143 vertices"),
         (["field", "plane.off", "--from", "0", "--slope-penalty", "1", "--metric", "few.csv"], 2, "not allowed with"),
+        (["field", "plane.off", "--from", "0", "--to", "1"], 2, "not allowed with"),
+        (["voronoi", "plane.off"], 2, "one of the arguments --from --to is required"),
+        (["field", "plane.off", "--from", "0", "--hiking", "fast"], 2, "'fast' is not tobler, naismith or two numbers"),
+        (["field", "plane.off", "--from", "0", "--hiking=-1,2"], 1, "The uphill cost is -1"),
         (["guess", "plane.off"], 2, "invalid choice: 'guess'"),
         ([], 2, "no command given"),
     ],

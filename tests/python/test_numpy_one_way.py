@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import secrets
+
 import numpy as np
 import pytest
 import vorogeo
@@ -210,8 +212,8 @@ def test_a_drift_that_is_a_gradient_changes_no_path_and_stays_exact():
     paths = surface.path(5, np.arange(1, 240, 2))  # from one propagation
     expected = level.distance_field(5) + height - height[5]
     np.testing.assert_allclose([path.length for path in paths], expected[1:240:2], rtol=1e-11)
-    for ask in (lambda: surface.distance_matrix([0, 5]), lambda: surface.log_map(5), lambda: surface.gradient(5)):
-        with pytest.raises(vorogeo.InvalidInput, match="take no metric by which a way back costs something else"):
+    for ask in (lambda: surface.log_map(5), lambda: surface.gradient(5)):
+        with pytest.raises(vorogeo.InvalidInput, match="Directions need ways back that cost the same"):
             ask()
     cost = np.random.default_rng(5).uniform(1, 4, len(faces))
     tensors = (cost**2)[:, None, None] * IDENTITY
@@ -316,15 +318,80 @@ def test_refusals():
         vorogeo.hiking_time(vertices, faces, lambda grade: 0 * grade)
     with pytest.raises(vorogeo.InvalidInput, match="infinite"):
         vorogeo.hiking_time(vertices, faces, lambda grade: np.where(grade > 0, np.inf, 1.0))
-    with pytest.raises(vorogeo.InvalidInput, match="Indexes take no metric"):
+    for cost in (-1.0, np.inf):
+        with pytest.raises(vorogeo.InvalidInput, match="The downhill cost is"):
+            vorogeo.climbing_cost(8, cost)
+    for pace in ([[-1, 1], [0, 1], [1, np.nan]], [[0, 1], [0, 2]], [[-1, 1], [1, -1]], [[0, 1, 2]]):  # no tables
+        with pytest.raises(vorogeo.InvalidInput, match="pace"):
+            vorogeo.hiking_time(vertices, faces, pace)
+    for pace in ([[-1, 1], [0, np.inf], [1, 1]], [[0, 1], [1, 1]]):  # no way on the level, none down
+        with pytest.raises(vorogeo.InvalidInput, match="infinite on the level, or at all grades up or down"):
+            vorogeo.hiking_time(vertices, faces, pace)
+    leaning = np.tile(np.diag([1.0, -1.0, 1.0]), (count, 1, 1))
+    with pytest.raises(vorogeo.InvalidInput, match="face 0"):
+        vorogeo.Surface(vertices, faces, metric=vorogeo.FaceRanders(leaning, np.zeros((count, 3))))
+    with pytest.raises(vorogeo.InvalidInput, match="Indexes need ways back that cost the same"):
         vorogeo.GeodesicIndex(vertices, faces, metric=metric)
     surface = vorogeo.Surface(vertices, faces, metric=metric)
-    for ask in (
-        lambda: surface.distance_field(0, method="index"),
-        lambda: surface.distance_field(0, method="quick"),
-        lambda: surface.voronoi([0, 5]),
-        lambda: surface.distance_matrix([0, 5]),
-        lambda: surface.build_index(),
+    for ask, what in (
+        (lambda: surface.distance_field(0, method="index"), "Indexes"),
+        (lambda: surface.voronoi([0, 5], method="index"), "Indexes"),
+        (lambda: surface.distance_field(0, method="quick"), "Quick distances"),
+        (lambda: surface.sample_poisson_disk(1.0), "Poisson-disk samplings"),
     ):
-        with pytest.raises(vorogeo.InvalidInput, match="take no metric by which a way back costs something else"):
+        with pytest.raises(vorogeo.InvalidInput, match=f"{what} need ways back that cost the same"):
             ask()
+
+
+@pytest.mark.parametrize("to", [False, True])
+def test_the_area_within_a_time_in_a_wind_is_that_of_a_circle_that_drifts(to):
+    """In time t one reaches a circle of radius speed times t; areas are those of the metric's squared lengths."""
+    vertices, faces = shaken_plane()
+    speed, wind = 2.0, np.array([0.9, 0.5, 0.0])
+    surface = vorogeo.Surface(vertices, faces, metric=vorogeo.travel_time(vertices, faces, wind, speed))
+    found = surface.band(12 * 25 + 12, 0.12, to=to)
+    lam = 1 - wind @ wind / speed**2
+    assert found.area == pytest.approx(np.pi * 0.12**2 / lam**1.5, rel=1e-5)
+    assert surface.disk_area(12 * 25 + 12, 0.12, to=to) == found.area
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_regions_of_two_landings_meet_where_both_times_are_equal(seed):
+    """On a plane in a constant wind, by Zermelo's times; the border of a face is off by a part of a 16th of it."""
+    random = np.random.default_rng(secrets.randbits(32))
+    vertices, faces = shaken_plane()
+    wind = np.append(random.uniform(-0.5, 0.5, 2), 0.0)
+    surface = vorogeo.Surface(vertices, faces, metric=vorogeo.travel_time(vertices, faces, wind))
+    sites = random.choice(len(vertices), 2, replace=False)
+    for to in (False, True):
+        regions = surface.voronoi(sites, to=to)
+        ends = regions.borders.points
+        steps = ends[None] - vertices[sites][:, None]
+        times = np.stack([zermelo(-step if to else step, wind, 1.0) for step in steps])
+        assert np.abs(times[0] - times[1]).max() < 0.06 / 8
+        times = np.stack([zermelo((-1 if to else 1) * (vertices - vertices[s]), wind, 1.0) for s in sites])
+        np.testing.assert_allclose(regions.distance, times.min(axis=0), rtol=1e-9, atol=1e-12)
+        centre = (1 - wind @ wind) ** -1.5
+        assert regions.area.sum() == pytest.approx(centre, rel=1e-9)
+
+
+def test_climbing_costs_are_length_and_so_much_for_each_unit_of_height():
+    vertices, faces = shaken_plane()
+    grade = 0.3
+    vertices[:, 2] = grade * vertices[:, 0]
+    surface = vorogeo.Surface(vertices, faces, metric=vorogeo.hiking_time(vertices, faces, vorogeo.climbing_cost(7, 3)))
+    low, high, beside = 12 * 25, 12 * 25 + 24, 24
+    length = np.hypot(1, grade)
+    assert surface.distance(low, high) == pytest.approx(length + 7 * grade, rel=1e-9)
+    assert surface.distance(high, low) == pytest.approx(length + 3 * grade, rel=1e-9)
+    assert surface.distance(beside, 624) == pytest.approx(1, rel=1e-9)
+    wall = np.array([[0, 0, 0], [0, 0, 2.0], [0, 1, 0]])
+    metric = vorogeo.hiking_time(wall, [[0, 1, 2]], vorogeo.climbing_cost(7, 0))
+    there, back = vorogeo.Surface(wall, [[0, 1, 2]], metric=metric).distances([0, 1], [1, 0])
+    assert (there, back) == pytest.approx((2 + 7 * 2, 2), rel=1e-4)
+    even = vorogeo.hiking_time(vertices, faces, vorogeo.climbing_cost(0, 0))
+    np.testing.assert_allclose(
+        vorogeo.Surface(vertices, faces, metric=even).distance_field(5),
+        vorogeo.Surface(vertices, faces).distance_field(5),
+        rtol=1e-9,
+    )

@@ -128,7 +128,7 @@ class MeshTask:
         """The points of --from or --to, and whether the ways to them are asked for."""
         given = [option for option in ("from", "to") if self.options.get(option)]
         if len(given) != 1:
-            raise InvalidInput("--from: is missing; name the sources, or by --to points to go to.")
+            raise InvalidInput("--from: is missing; name the sources, or points to go to by --to.")
         return self.points(given[0]), given == ["to"]
 
     @property

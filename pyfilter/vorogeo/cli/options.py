@@ -124,8 +124,10 @@ _JSON = _option(
     "--json", "one JSON object on the standard output instead of lines; progress and errors stay on the other"
 )
 _SOURCES = _option("--from POINT", "the sources", required=True)
-#: Which of them is needed, `MeshTask.sources` says.
-_FROM_OR_TO = [_option("--from POINT", "the sources"), _option("--to POINT", "instead: by the ways to these")]
+_FROM_OR_TO = [
+    _option("--from POINT", "the sources", required=True),
+    _option("--to POINT", "instead: by the ways to these", required=True),
+]
 _PAIRS = (
     _option("--from POINT", "where they begin", required=True),
     _option("--to POINT", "where they end; one start may have many ends, or one end many starts", required=True),
@@ -246,7 +248,7 @@ _COMMANDS: dict[str, tuple[str, str, _Options]] = {
         (
             _option("--points POINT", "in order; a path through them is the line"),
             *_THROUGH[1:],
-            _FROM_OR_TO,
+            [_option("--from POINT", "the sources"), _option("--to POINT", "instead: by the ways to these")],
             _option("--levels L", "distances from the sources", nargs="+"),
             _option(
                 "--region N", "this part only; default: all, with the part of each face as its quality", type=_REGION
@@ -362,12 +364,12 @@ _COMMON: _Options = (
         _option(
             "--metric FILE",
             "what a step costs, so that paths are the cheapest: a number above 0 for each vertex or face (.npy, "
-            ".txt, .csv, GIFTI), a tensor (.npy of shape (n, 3, 3)), or of each face a wind in which to move at speed 1",
+            ".txt, .csv, GIFTI), a tensor (.npy of shape (n, 3, 3)), or a wind in each face, for what moves at speed 1",
         ),
         _option("--slope-penalty P", "terrain, z upwards: a step costs 1 + P sin(slope)"),
         _option(
             "--hiking PACE",
-            "terrain, z upwards, one thing up and another down: seconds by 'tobler' or 'naismith' on metres, or UP,DOWN: "
+            "terrain, z upwards, one cost up and another down: seconds by tobler or naismith on metres, or UP,DOWN: "
             "length, and so much more for each unit of height",
         ),
         _option("--curvature-weight W", "a step across limbs, ridges and valleys costs up to sqrt(1 + W)"),
@@ -446,6 +448,8 @@ def parser() -> argparse.ArgumentParser:
 def _add(command: Any, options: _Options) -> None:
     for option in options:
         if isinstance(option, list):
-            _add(command.add_mutually_exclusive_group(), option)
+            needed = all(how.get("required") for _, how in option)
+            each = [(name, {**how, "required": False}) for name, how in option]
+            _add(command.add_mutually_exclusive_group(required=needed), each)
         else:
             command.add_argument(option[0], **option[1])
