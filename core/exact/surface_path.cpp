@@ -110,6 +110,12 @@ MeasuredLength measured_length(const Mesh& mesh, std::span<const SurfacePoint> p
   return sum;
 }
 
+double cost_of_line(const Mesh& mesh, std::span<const SurfacePoint> points) {
+  const double length = measured_length(mesh, points).length;
+  if (!mesh.has_potential() || points.empty()) return length;
+  return length + potential_at(mesh, points.back()) - potential_at(mesh, points.front());
+}
+
 Index common_face(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
   Index common = no_index;
   for_each_common_face(mesh, a, b, [&](Index face, const Weights&, const Weights&) {

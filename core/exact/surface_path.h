@@ -30,6 +30,10 @@ struct MeasuredLength {
 /// `unreachable` if there is no point or two share no face. Complexity: O(points) for each face at a point.
 MeasuredLength measured_length(const Mesh& mesh, std::span<const SurfacePoint> points);
 
+/// What a line costs from its first point to its last: that sum, and what a potential rises
+/// (Mesh::potential).
+double cost_of_line(const Mesh& mesh, std::span<const SurfacePoint> points);
+
 /// The first face that holds both points; no_index if there is none.
 Index common_face(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
 

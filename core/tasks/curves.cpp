@@ -24,7 +24,7 @@ class AlongPath {
  public:
   AlongPath(const Mesh& mesh, Points points) : mesh_(mesh), points_(std::move(points)) {
     for (std::size_t i = 1; i < points_.size(); ++i) {
-      const double step = measured_length(mesh, std::array{points_[i - 1], points_[i]}).length;
+      const double step = cost_of_line(mesh, std::array{points_[i - 1], points_[i]});
       if (!std::isfinite(step)) refuse_step(mesh, points_, i);
       walked_.push_back(walked_.back() + step);
     }

@@ -85,7 +85,7 @@ Profile profile(const Mesh& mesh, const std::function<const SurfaceLocator&()>& 
   std::vector<double> length{0.0}, tilt{0.0};  // of the step to each point
   for (std::size_t i = 0; i < points.size(); ++i) {
     double step = 0.0;
-    if (i > 0) step = measured_length(mesh, std::array{points[i - 1], points[i]}).length;
+    if (i > 0) step = cost_of_line(mesh, std::array{points[i - 1], points[i]});
     if (!std::isfinite(step)) refuse_step(mesh, points, i);
     found.along.push_back(i > 0 ? found.along.back() + step : 0.0);
     found.height.push_back(dot(position_of(mesh, points[i]), up) / size);

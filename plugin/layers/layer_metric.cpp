@@ -116,6 +116,14 @@ double finite_number(const FilterCall& call, const char* name, bool may_be_zero)
   refuse(call, name, value, may_be_zero ? ". Give a number of at least 0." : ". Give a number above 0.");
 }
 
+/// 0, any grade, in scripts that were written without it.
+double steepest_grade(const FilterCall& call) {
+  if (!call.parameters.hasParameter("steepest_grade")) return 0.0;
+  const double value = call.parameters.getFloat("steepest_grade");
+  if (value >= 0.0 && std::isfinite(value)) return value;
+  refuse(call, "steepest_grade", value, ". Give a number above 0, or 0 for any grade.");
+}
+
 /// The wind of each face by a custom attribute of the faces, or of their corners in the mean, in the scene.
 std::vector<Point> wind_of(const FilterCall& call, const Placement& placement) {
   CMeshO& layer = call.layer.cm;
@@ -166,6 +174,16 @@ LayerMetric metric_of(const FilterCall& call) {
 /// face, the faces of an edge disagree.
 Metric metric_in(const LayerMeasure& measure, const VcgMeshArrays& arrays) {
   const auto& [positions, faces] = std::tie(arrays.positions, arrays.faces);
+  const auto on_foot = [&](const CostOfGrade& pace) {
+    Metric metric = metric_of(positions, faces, hiking_time(positions, faces, pace, {0, 0, 1}));
+    if (measure.steepest > 0.0) {
+      const auto grades = grades_of(positions, faces, {0, 0, 1});
+      for (std::size_t f = 0; f < grades.size(); ++f) {
+        if (grades[f] > measure.steepest) metric.sides[f].fill(unreachable);
+      }
+    }
+    return metric;
+  };
   switch (measure.metric) {
     case LayerMetric::length:
       break;
@@ -186,11 +204,9 @@ Metric metric_in(const LayerMeasure& measure, const VcgMeshArrays& arrays) {
     case LayerMetric::curvature:
       return lengths_by_tensor(positions, faces, curvature_tensors(positions, faces, measure.weight));
     case LayerMetric::hiking:
-      return metric_of(positions, faces, hiking_time(positions, faces, for_each_grade(tobler), {0, 0, 1}));
+      return on_foot(for_each_grade(tobler));
     case LayerMetric::climbing:
-      return metric_of(
-          positions, faces,
-          hiking_time(positions, faces, climbing_cost(measure.weight, measure.downhill), {0, 0, 1}));
+      return on_foot(climbing_cost(measure.weight, measure.downhill));
     case LayerMetric::wind:
       return metric_of(
           positions, faces,
@@ -242,10 +258,11 @@ RichParameterList metric_parameters() {
                 "With the metric slope penalty: cost 1 on level ground and 1 plus this on a wall; z points "
                 "upwards.",
                 advanced),
-      RichFloat("steepest_grade", 0, "Steepest grade (0: any)",
-                "With the metric slope penalty: no path enters faces that rise more than this for each unit "
-                "of length on the map; 0.083 is 1 in 12.",
-                advanced),
+      RichFloat(
+          "steepest_grade", 0, "Steepest grade (0: any)",
+          "With a slope penalty, on foot, and with costs up and down: no path enters faces that rise more "
+          "than this for each unit of length on the map; 0.083 is 1 in 12.",
+          advanced),
       RichFloat("curvature_weight", usual(LayerMetric::curvature), "Curvature weight",
                 "With the metric along curvature: above 0, paths follow ridges and limbs; below 0, they run "
                 "around them.",
@@ -307,17 +324,10 @@ LayerMeasure measure_of(const FilterCall& call) {
     case LayerMetric::face_quality:
       measure.cost = cost_of_faces(call);
       break;
-    case LayerMetric::slope: {
+    case LayerMetric::slope:
       measure.weight = finite_number(call, "slope_penalty", true);
-      // Not in scripts that were written without it.
-      if (call.parameters.hasParameter("steepest_grade")) {
-        measure.steepest = call.parameters.getFloat("steepest_grade");
-      }
-      if (!(measure.steepest >= 0.0 && std::isfinite(measure.steepest))) {
-        refuse(call, "steepest_grade", measure.steepest, ". Give a number above 0, or 0 for any grade.");
-      }
+      measure.steepest = steepest_grade(call);
       break;
-    }
     case LayerMetric::curvature: {
       const double weight = call.parameters.getFloat("curvature_weight");
       if (!std::isfinite(weight)) refuse(call, "curvature_weight", weight, ". Give a number.");
@@ -325,8 +335,10 @@ LayerMeasure measure_of(const FilterCall& call) {
       break;
     }
     case LayerMetric::hiking:
+      measure.steepest = steepest_grade(call);
       break;
     case LayerMetric::climbing:
+      measure.steepest = steepest_grade(call);
       measure.weight = finite_number(call, "uphill_cost", true);
       measure.downhill = finite_number(call, "downhill_cost", true);
       break;

@@ -38,7 +38,7 @@ inline constexpr std::array usual_weights{0.0, 0.0, 1.0, 3.0, 0.0};
 struct LayerMeasure {
   LayerMetric metric = LayerMetric::length;
   double weight = 0.0;      ///< slope_penalty, curvature_weight, uphill_cost or own_speed; 0 in other metrics
-  double steepest = 0.0;    ///< steepest_grade: faces above it are barriers; 0: none, and in other metrics
+  double steepest = 0.0;    ///< steepest_grade: faces above it are barriers; 0: none
   double downhill = 0.0;    ///< downhill_cost; 0 in other metrics
   std::vector<Point> wind;  ///< in the scene, of each face that is not deleted; empty in other metrics
   std::vector<double>

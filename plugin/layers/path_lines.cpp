@@ -9,7 +9,7 @@ PathLines lines_of(const Mesh& mesh, const SurfacePath& path) {
   PathLines result = lines_through(positions);
   for (std::size_t i = 1; i < path.points.size(); ++i) {
     // In the metric of the mesh, which may be another than that of its positions.
-    result.along[i] = result.along[i - 1] + measured_length(mesh, std::span(&path.points[i - 1], 2)).length;
+    result.along[i] = result.along[i - 1] + cost_of_line(mesh, std::span(&path.points[i - 1], 2));
   }
   return result;
 }

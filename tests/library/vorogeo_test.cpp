@@ -346,6 +346,44 @@ TEST(Library, DriftsMakeWaysDiffer) {
             std::string::npos);
 }
 
+TEST(Library, UpIsNotDownAndAWindCarries) {
+  const double grade = 0.2;
+  std::vector<vorogeo::Point> slope{{0, 0, 0}, {1, 0, grade}, {1, 1, grade}, {0, 1, 0}};
+  const std::vector<std::array<int, 3>> square{{0, 1, 2}, {0, 2, 3}};
+  const auto made = [&](const vorogeo::FaceMetric& metric) {
+    return Surface(slope, square, {.face_tensor = metric.face_tensor, .face_drift = metric.face_drift});
+  };
+  const Surface on_foot = made(vorogeo::hiking_time(slope, square));
+  EXPECT_NEAR(on_foot.distance(0, 1), 0.6 * std::exp(3.5 * (grade + 0.05)), 1e-9);
+  EXPECT_NEAR(on_foot.distance(1, 0), 0.6 * std::exp(3.5 * (grade - 0.05)), 1e-9);
+  const auto pace = [](double at) { return 1.0 + (at > 0.0 ? 5.0 : -2.0) * at; };
+  const Surface costly = made(vorogeo::hiking_time(slope, square, pace));
+  const double up = 1.0 + 5.0 * grade, down = 1.0 + 2.0 * grade;
+  EXPECT_NEAR(vorogeo::distance_matrix(costly, {0, 1})[1], up, 1e-9);
+  EXPECT_NEAR(vorogeo::distance_matrix(costly, {0, 1})[2], down, 1e-9);
+  EXPECT_NEAR(vorogeo::voronoi(costly, {0, 3}).distance[1], up, 1e-9);
+  EXPECT_NEAR(vorogeo::voronoi(costly, {0, 3}, {.to = true}).distance[1], down, 1e-9);
+  EXPECT_NEAR(vorogeo::nearest(costly, {0}, {1}, 1, {.to = true}).distance[0], down, 1e-9);
+  EXPECT_EQ(vorogeo::disk(costly, 0, down + 1e-9, {.to = true}).vertices, (std::vector{0, 1, 3}));
+  for (auto& point : slope) point[2] = 0.0;
+  const std::vector<vorogeo::Point> wind(2, {0.5, 0.0, 3.0});
+  const Surface blown = made(vorogeo::travel_time(slope, square, wind, {2.0, 2.0}));
+  EXPECT_NEAR(blown.distance(0, 1), 1.0 / 2.5, 1e-9);
+  EXPECT_NEAR(blown.distance(1, 0), 1.0 / 1.5, 1e-9);
+  EXPECT_NEAR(blown.distance(0, 3), 1.0 / std::sqrt(4.0 - 0.25), 1e-9);
+  const auto refusal = [&](const auto& ask) { return sentence_of<vorogeo::InvalidInput>(ask); };
+  EXPECT_NE(refusal([&] {
+              vorogeo::travel_time(slope, square, wind, {2.0, 0.5});
+            }).find("wind of face 1"),
+            std::string::npos);
+  EXPECT_NE(refusal([&] {
+              vorogeo::hiking_time(slope, square, [](double at) { return at; });
+            }).find("at a grade of"),
+            std::string::npos);
+  EXPECT_NE(refusal([&] { vorogeo::sample_poisson_disk(blown, 0.5); }).find("goes one way"),
+            std::string::npos);
+}
+
 TEST(Library, InfiniteCostsAreBarriers) {
   const std::vector<vorogeo::Point> level{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   const std::vector<std::array<int, 3>> square{{0, 1, 2}, {0, 2, 3}};

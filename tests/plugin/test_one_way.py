@@ -100,6 +100,7 @@ def test_hiking_time_is_toblers_in_seconds_and_costs_of_height_are_added_to_leng
         for ends, expected in (((low, high), up), ((high, low), down)):
             found = ms.apply_filter(PATH, source=ends[0], target=ends[1], **metric)
             assert found["length"] == pytest.approx(SIZE * expected)
+            assert field(ms)[-1] == pytest.approx(found["length"])  # along the path
             assert found["answered_by"] == 2
             ms.set_current_mesh(0)
         for name in (EXACT_FROM_POINT, FROM_POINT):
@@ -117,6 +118,16 @@ def test_without_costs_of_height_it_is_the_length():
     even = field(ms).copy()
     ms.apply_filter(EXACT_FROM_POINT, vertex_index=MIDDLE)
     np.testing.assert_allclose(even, field(ms), rtol=1e-6)
+
+
+def test_faces_that_are_too_steep_are_barriers_on_foot():
+    ms = slope()
+    for metric in ("Hiking time", "Uphill and downhill cost"):
+        for steepest, barred in ((GRADE * 1.01, 0), (GRADE * 0.99, (SIZE + 1) ** 2 - 1)):
+            found = ms.apply_filter(EXACT_FROM_POINT, vertex_index=0, metric=metric, steepest_grade=steepest)
+            assert found["unreachable_vertices"] == barred
+        with fails_and_changes_nothing(ms, "(steepest_grade) is -1. Give a number above 0, or 0 for any grade"):
+            ms.apply_filter(EXACT_FROM_POINT, vertex_index=0, metric=metric, steepest_grade=-1)
 
 
 @BOTH

@@ -62,6 +62,7 @@ def test_constant_wind_on_a_plane_is_zermelos(speed):
     for there, here in ((surface.path(source, ends), expected), (surface.path(ends, source), back)):
         for path, end in zip(there, ends, strict=True):
             assert path.length == pytest.approx(here[end], rel=1e-9)
+            assert surface.profile(path).length[-1] == pytest.approx(path.length, rel=1e-9, abs=1e-12)
             steps = np.linalg.norm(np.diff(path.points, axis=0), axis=1).sum()
             assert steps == pytest.approx(np.linalg.norm(vertices[end] - vertices[source]), rel=1e-9)
 
