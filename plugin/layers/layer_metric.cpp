@@ -128,10 +128,15 @@ double steepest_grade(const FilterCall& call) {
 std::vector<Point> wind_of(const FilterCall& call, const Placement& placement) {
   CMeshO& layer = call.layer.cm;
   const std::string name = call.parameters.getString("wind_attribute").toStdString();
-  auto of_faces = vcg::tri::Allocator<CMeshO>::FindPerFaceAttribute<Point3m>(layer, name);
-  auto of_vertices = vcg::tri::Allocator<CMeshO>::FindPerVertexAttribute<Point3m>(layer, name);
-  const bool by_face = vcg::tri::Allocator<CMeshO>::IsValidHandle(layer, of_faces);
-  if (!by_face && !vcg::tri::Allocator<CMeshO>::IsValidHandle(layer, of_vertices)) {
+  using Allocator = vcg::tri::Allocator<CMeshO>;
+  CMeshO::PerFaceAttributeHandle<Point3m> of_faces;
+  CMeshO::PerVertexAttributeHandle<Point3m> of_vertices;
+  if (!name.empty()) {  // which the host takes for a mistake of the program
+    of_faces = Allocator::FindPerFaceAttribute<Point3m>(layer, name);
+    of_vertices = Allocator::FindPerVertexAttribute<Point3m>(layer, name);
+  }
+  const bool by_face = Allocator::IsValidHandle(layer, of_faces);
+  if (!by_face && !Allocator::IsValidHandle(layer, of_vertices)) {
     refuse(
         call, "wind_attribute", "'" + name + "'",
         ", but neither the faces nor the vertices have a custom point attribute of this name. Make one, for "

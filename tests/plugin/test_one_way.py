@@ -234,6 +234,7 @@ BAD = [
     ({"metric": 7, "own_speed": 0}, "(own_speed) is 0. Give a number above 0"),
     ({"metric": 7, "own_speed": np.nan}, "(own_speed) is nan"),
     ({"metric": 7, "wind_attribute": "storm"}, "(wind_attribute) is 'storm', but neither the faces nor the vertices"),
+    ({"metric": 7, "wind_attribute": ""}, "(wind_attribute) is '', but neither the faces nor the vertices"),
     ({"metric": 7, "wind_attribute": "strong", "own_speed": 2}, STRONG),
     ({"metric": 7, "wind_attribute": "unknown"}, "The drift of face 5 is not finite"),
 ]
