@@ -16,8 +16,9 @@ namespace vorogeo {
 /// the order within a bucket matters for speed only. Last in, first out creates fewer windows; but where a
 /// bucket is much wider than the edges (in a part much smaller than the rest, or around a long spike), it
 /// would follow one chain of short steps after another, and take each item as often. So where items that are
-/// taken have brought many others into their own bucket, those that come later are taken in the order of
-/// their keys. So are late items, whose key lies in a bucket that the queue has left: they come first.
+/// taken have brought many others into their own bucket, or one of them back again and again, as in a fan of
+/// needles, those that come later are taken in the order of their keys. So are late items, whose key lies in
+/// a bucket that the queue has left: they come first.
 ///
 /// No item can be lost: a push that lowers the bucket of an item adds an entry with this bucket, an entry
 /// leaves only when it is taken, and it is passed over only if its bucket is not the item's any more, which
@@ -46,15 +47,17 @@ class BucketQueue {
     const std::int64_t bucket = bucket_at(key);
     const bool is_late = bucket < wheel_.current();
     const bool is_current = bucket == wheel_.current();
+    const std::int64_t known = bucket_of_[item];
     // Among sorted items, one whose key has become lower is added once more.
-    if (bucket_of_[item] < bucket || (bucket_of_[item] == bucket && !is_late && !(is_current && is_sorted())))
-      return;
+    if (known < bucket || (known == bucket && !is_late && !(is_current && is_sorted()))) return;
     lower_bound_ = std::min(lower_bound_, key);
+    const std::int32_t taken = is_current ? taken_in_current(known) : 0;
+    if (taken == max_taken) returned_ = std::max(returned_, max_returned);
     if (is_late || (is_current && ++returned_ > max_returned)) {
       sorted_.push_back({key, item});
       std::push_heap(sorted_.begin(), sorted_.end());
     } else {
-      wheel_.add({bucket, item});
+      wheel_.add({bucket, item, taken});
     }
     // Last: an item is in the queue only if there was memory for its entry.
     bucket_of_[item] = bucket;
@@ -71,19 +74,20 @@ class BucketQueue {
         std::pop_heap(sorted_.begin(), sorted_.end());
         sorted_.pop_back();
         if (bucket_of_[first.item] != bucket_at(first.key)) continue;
-        bucket_of_[first.item] = none;
+        bucket_of_[first.item] = not_queued(max_taken);
         lower_bound_ = std::min(first.key, least_in(wheel_.current()));
         return first.item;
       }
       if (!wheel_.has_current()) {
         if (wheel_.empty() || !(begin_of(wheel_.least_bucket()) < limit)) return no_index;
         wheel_.advance();
+        ++epoch_;
         returned_ = 0;
       }
       if (!(begin_of_current() < limit)) return no_index;
       const Entry entry = wheel_.take();
       if (bucket_of_[entry.item] != entry.bucket) continue;
-      bucket_of_[entry.item] = none;
+      bucket_of_[entry.item] = not_queued(entry.taken + 1);
       lower_bound_ = least_in(wheel_.current());
       return entry.item;
     }
@@ -111,6 +115,7 @@ class BucketQueue {
     wheel_.clear([this](const Entry& entry) { bucket_of_[entry.item] = none; });
     for (const Sorted& entry : sorted_) bucket_of_[entry.item] = none;
     sorted_.clear();
+    ++epoch_;
     returned_ = 0;
     lower_bound_ = 0.0;
   }
@@ -119,10 +124,24 @@ class BucketQueue {
   struct Entry {
     std::int64_t bucket;
     Index item;
+    std::int32_t taken;  ///< how often it has been taken from this bucket while that is current
   };
   static constexpr std::int64_t none = TimingWheel<Entry>::none;
   /// Items pushed into the current bucket until those that follow are sorted.
   static constexpr std::size_t max_returned = 1 << 9;
+  /// As often an item is taken from the current bucket until what is pushed there is sorted.
+  static constexpr std::int32_t max_taken = 2;
+
+  /// Stands for the bucket of an item that is not queued, above all buckets and below `none`: how often it
+  /// was taken, and while which bucket was current.
+  std::int64_t not_queued(std::int32_t taken) const {
+    return first_not_queued + epoch_ * (max_taken + 1) + std::min(taken, max_taken);
+  }
+  std::int32_t taken_in_current(std::int64_t known) const {
+    const std::int64_t taken = known - not_queued(0);
+    return known != none && taken > 0 ? static_cast<std::int32_t>(taken) : 0;
+  }
+  static constexpr std::int64_t first_not_queued = TimingWheel<Entry>::greatest_bucket;
 
   struct Sorted {
     double key;
@@ -147,6 +166,7 @@ class BucketQueue {
   std::vector<Sorted>
       sorted_;  ///< a heap of late items and, where many returned to the current bucket, of these
   std::size_t returned_ = 0;  ///< items pushed into the current bucket since it became current
+  std::int64_t epoch_ = 0;    ///< grows with each bucket that becomes current and each clearing
   double lower_bound_ = 0.0;
   double per_width_ = 1.0;
   double width_ = 1.0;

@@ -123,7 +123,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Seed{150000277, 600, {63}}, Seed{150005179, 2500, {1296}}, Seed{150007534, 2500, {1378}},
                     Seed{160001423, 4000, {5042}}, Seed{170002242, 200, {96}},
                     Seed{160000642, 4000, {2986, 3911}}, Seed{220000246, 4000, {4878}},
-                    Seed{230016942, 200, {87}}, Seed{310004993, 2500, {2411}, {3789, 3802}}),
+                    Seed{230016942, 200, {87}}, Seed{310004993, 2500, {2411}, {3789, 3802}},
+                    Seed{3821607977, 200, {68}}),
     [](const auto& seed) { return std::to_string(seed.param.seed); });
 
 TEST(ExactFieldContract, FieldsBesideDebrisOfAScanAreTheSameFromAnyNumberOfThreads) {
@@ -147,6 +148,14 @@ TEST(ExactFieldContract, FieldsBesideDebrisOfAScanAreTheSameFromAnyNumberOfThrea
       ASSERT_NEAR(several.distance(v), distance, 1e-9 * distance) << threads << " threads, vertex " << v;
     }
   }
+}
+
+TEST(ExactFieldContract, AFanOfNeedlesThatIsCutAndJoinedIsNotCrossedAgainAndAgain) {
+  // 605 vertices. Last in, first out, the waves that come round over slivers replaced each other a million
+  // times.
+  ExactSolver solver(test::make_mesh(test::hostile_mesh(3821607977, 200).soup));
+  solver.run_from_vertices(std::array{Index{68}}, {.distances_only = true});
+  EXPECT_LE(solver.window_count(), 200'000U);
 }
 
 TEST(ExactFieldContract, OneLongEdgeKeepsNoOtherEdgeOpen) {

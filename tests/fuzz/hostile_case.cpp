@@ -175,6 +175,9 @@ void check_costs(HostileCase& hostile, ScanCosts& scans) {
     const Cost& cost = hostile.costs[i];
     const double seconds = scan[i].seconds;
     const double bytes = std::max(scan[i].bytes, exact_bytes);
+    // What is beyond the clock and a handful of pages.
+    hostile.tally.times[i].add(std::max(0.0, cost.seconds - clock) / seconds, hostile.seed);
+    hostile.tally.memories[i].add(std::max(0.0, cost.bytes - some_bytes) / bytes, hostile.seed);
     hostile.ask(hostile.index_text() + step_names[i]);
     if (cost.seconds > most_of_a_scan[i].seconds * seconds + clock) {
       hostile.fail(std::string("time of ") + step_names[i],

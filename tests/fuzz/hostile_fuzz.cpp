@@ -232,15 +232,29 @@ int summary(const std::vector<Worker>& workers, double started) {
     total.findings += tally.findings;
     total.meshes_with_findings += tally.meshes_with_findings;
     for (int i = 0; i < error_kind_count; ++i) total.errors[i].add(tally.errors[i]);
+    for (int i = 0; i < step_count; ++i) {
+      total.times[i].add(tally.times[i]);
+      total.memories[i].add(tally.memories[i]);
+    }
   }
-  std::printf("%-20s %10s %10s %10s %10s  seed of the largest\n", "relative errors", "answers", "mean", "p99",
-              "largest");
+  // Tables as documents have them: run.sh --report.
+  std::printf(
+      "| times a scan's | meshes | time, at most | seed | memory, at most | seed "
+      "|\n|---|--:|--:|---|--:|---|\n");
+  for (int i = 0; i < step_count; ++i) {
+    const CostRatios& time = total.times[i];
+    const CostRatios& memory = total.memories[i];
+    std::printf("| %s | %u | %.2g | %u | %.2g | %u |\n", step_names[i], time.meshes, time.largest,
+                time.largest_seed, memory.largest, memory.largest_seed);
+  }
+  std::printf("\n| relative errors | answers | mean | p99 | largest | seed |\n|---|--:|--:|--:|--:|---|\n");
   for (int i = 0; i < error_kind_count; ++i) {
     const ErrorHistogram& errors = total.errors[i];
-    std::printf("%-20s %10llu %10.2g %10.2g %10.2g  %u\n", error_kind_names[i],
+    std::printf("| %s | %llu | %.2g | %.2g | %.2g | %u |\n", error_kind_names[i],
                 static_cast<unsigned long long>(errors.count), errors.mean(), errors.quantile(0.99),
                 errors.largest, errors.largest_seed);
   }
+  std::printf("\n");
   std::printf("%u meshes in %.0f s (%u refused in a sentence): %u findings on %u of them\n", total.meshes,
               static_cast<double>(time(nullptr)) - started, total.refused, total.findings,
               total.meshes_with_findings);

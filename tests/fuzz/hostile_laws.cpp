@@ -187,7 +187,9 @@ class Laws {
       for (const SurfacePoint& point : cut.points) positions.push_back(position_of(*hostile_.mesh, point));
       const Torn torn = torn_along(cut, std::move(positions), line);
       const auto mesh = std::make_shared<const Mesh>(torn.soup.positions, torn.soup.faces);
-      const double rounding = 1e-14 * farthest_ + 1e-15 * farthest_ * static_cast<double>(line.size());
+      // Points of the line are rounded, those on an edge to an outlier by some units of the last place of
+      // that.
+      const double rounding = 1e-12 * farthest_;
       for (int i = 0; i < (target == other ? 2 : 1); ++i) {
         std::vector<Index> at_end;
         for (Index v = 0; v < mesh->vertex_count(); ++v) {

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "fuzz/hostile_cost.h"
+
 namespace vorogeo::test {
 
 /// Answers whose errors are collected.
@@ -60,6 +62,26 @@ struct ErrorHistogram {
   }
 };
 
+/// How many times a scan's a step cost, in time or in memory.
+struct CostRatios {
+  unsigned meshes = 0;
+  double largest = 0.0;
+  unsigned largest_seed = 0;
+
+  void add(double ratio, unsigned seed) {
+    ++meshes;
+    if (ratio <= largest) return;
+    largest = ratio;
+    largest_seed = seed;
+  }
+  void add(const CostRatios& other) {
+    meshes += other.meshes;
+    if (other.largest <= largest) return;
+    largest = other.largest;
+    largest_seed = other.largest_seed;
+  }
+};
+
 /// One process of a run. Written by it, read by its parent when it has ended or hangs.
 struct HostileTally {
   std::atomic<unsigned> seed = 0;        ///< the mesh at work
@@ -73,6 +95,8 @@ struct HostileTally {
   unsigned findings = 0;
   unsigned meshes_with_findings = 0;
   std::array<ErrorHistogram, error_kind_count> errors{};
+  std::array<CostRatios, step_count> times{};
+  std::array<CostRatios, step_count> memories{};
 };
 
 }  // namespace vorogeo::test

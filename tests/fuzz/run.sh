@@ -1,14 +1,20 @@
 #!/usr/bin/env bash
 # Hostile meshes of several sizes through everything, on all cores; ends with how many were run and what was found.
 #
-# Usage: tests/fuzz/run.sh [--sanitized] [--hours H | --count N] [OPTIONS OF hostile_fuzz]
+# Usage: tests/fuzz/run.sh [--sanitized | --report] [--hours H | --count N] [OPTIONS OF hostile_fuzz]
 #   --hours: as many as fit; one hour is for 10,000 meshes on two cores. Without either: 1,000 meshes.
+#   --report: writes what was tried, and the worst of each kind, to docs/hostile.md.
 # The findings are printed as they come, and lie in build/fuzz. The status is 1 if there is one that allowed.txt next
 # to this script does not name, or whose cost is more times a scan's than it says there.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 program=hostile_fuzz
+report=
+if [ "${1:-}" = --report ]; then
+  report=docs/hostile.md
+  shift
+fi
 if [ "${1:-}" = --sanitized ]; then
   program=hostile_fuzz_sanitized
   shift
@@ -30,5 +36,14 @@ if [ "$status" = 1 ] && grep -q '^FINDING' "$findings"; then
     /, a scan no smaller takes / { cost = $1; usual = $(NF - 1) }
     /^  again: / { sub(/.*hostile_fuzz /, ""); if (cost > most[kind " " $0] * usual) exit 1 }
   ' tests/fuzz/allowed.txt "$findings" && status=0
+fi
+if [ -n "$report" ]; then
+  {
+    sed '/^| times/,$d' "$report"
+    sed -n '/^| times/,$p' "$findings" | sed '$d'
+    echo "$(tail -n 1 "$findings" | sed 's/ in [0-9]* s / /'): \`tests/fuzz/run.sh --report $*\`."
+    sed -n 's/^FINDING //p' "$findings" | sort | uniq -c | sort -rn | sed 's/^ *\([0-9]*\) \(.*\)/- \1 times: \2/'
+  } >"$report.new"
+  mv "$report.new" "$report"
 fi
 exit "$status"

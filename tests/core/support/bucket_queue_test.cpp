@@ -98,6 +98,37 @@ TEST(BucketQueue, ABucketThatIsNeverDoneGetsToItsOldestItem) {
   EXPECT_EQ(queue.pop(), no_index);
 }
 
+TEST(BucketQueue, OnceAnItemHasComeBackToItsBucketOthersThereAreTakenInTheOrderOfTheirKeys) {
+  BucketQueue queue;
+  queue.resize(5);
+  queue.reset(1.0);
+  // The same in every run, whatever was taken in those before.
+  for (int run = 0; run < 3; ++run) {
+    queue.push(0, 3.5);
+    EXPECT_EQ(queue.pop(), 0);
+    queue.push(1, 3.1);
+    queue.push(2, 3.9);
+    EXPECT_EQ(queue.pop(), 2);  // last in, first out
+    EXPECT_EQ(queue.pop(), 1);
+    queue.push(0, 3.4);
+    EXPECT_EQ(queue.pop(), 0);
+    queue.push(0, 3.3);  // for the third time
+    queue.push(3, 3.8);
+    queue.push(4, 3.2);
+    queue.push(1, 3.7);
+    for (const Index item : {4, 0, 1, 3}) EXPECT_EQ(queue.pop(), item);
+    // In the next bucket, it is last in, first out again.
+    queue.push(0, 4.5);
+    EXPECT_EQ(queue.pop(), 0);
+    queue.push(1, 4.1);
+    queue.push(2, 4.9);
+    EXPECT_EQ(queue.pop(), 2);
+    EXPECT_EQ(queue.pop(), 1);
+    EXPECT_EQ(queue.pop(), no_index);
+    queue.reset(1.0);
+  }
+}
+
 TEST(BucketQueue, KeysOfAllScalesCostAConstantEach) {
   // 1e5 keys over 21 orders of magnitude: stepping from bucket to bucket, or examining all later items for
   // each of them, would take hours.
