@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <tuple>
 #include <utility>
 
 #include "mesh/mesh.h"
@@ -28,15 +30,70 @@ constexpr double very_different_cost = 10.0;
 /// Faces of a seam or at a T-junction, behind which waves should stay smooth.
 constexpr std::size_t small_fan = 8;
 
-/// Powers of the length of an edge, and of its ratio to the height of a face, with which its points grow.
-constexpr double by_length = 0.8;
-constexpr double by_height = 0.1;
-/// Of an edge: lower faces count as this high.
-constexpr double least_height = 1e-3;
 /// No edge has fewer points than this part of the usual ones, nor more than so many.
 constexpr Index per_fewest = 2;
 constexpr double most_points = 20000.0;
 constexpr double most_points_of_all = 2e9;
+
+/// How densely an edge should have points: as the root of the size of what is near. Sizes are known at a few
+/// places, its knots, and grow by the distance from these.
+class Density {
+ public:
+  struct Knot {
+    double at;
+    double size;
+  };
+
+  /// At least the two ends of the edge.
+  void set(std::span<const Knot> knots) {
+    knots_.assign(knots.begin(), knots.end());
+    std::ranges::stable_sort(knots_, {}, &Knot::at);
+    for (std::size_t i = 1; i < knots_.size(); ++i) limit(knots_[i], knots_[i - 1]);
+    for (std::size_t i = knots_.size() - 1; i-- > 0;) limit(knots_[i], knots_[i + 1]);
+    until_.assign(1, 0.0);
+    for (std::size_t i = 1; i < knots_.size(); ++i) {
+      const auto& [first, second] = std::tie(knots_[i - 1], knots_[i]);
+      // Half-way, sizes as of either knot are the same.
+      const double between = second.at - first.at;
+      const double until = std::clamp(0.5 * (between + second.size - first.size), 0.0, between);
+      until_.push_back(until_.back() + integral(first, until));
+      until_.push_back(until_.back() + integral(second, between - until));
+    }
+  }
+  double total() const { return until_.back(); }
+  /// Up to where a share of the total lies.
+  double place(double share) const {
+    const double sum = share * total();
+    std::size_t i = 1;
+    while (i + 1 < knots_.size() && sum > until_[2 * i]) ++i;
+    return sum <= until_[2 * i - 1] ? knots_[i - 1].at + reach(knots_[i - 1], sum - until_[2 * i - 2])
+                                    : knots_[i].at - reach(knots_[i], until_[2 * i] - sum);
+  }
+
+ private:
+  static void limit(Knot& knot, const Knot& beside) {
+    knot.size = std::min(knot.size, beside.size + std::abs(knot.at - beside.at));
+  }
+  static double integral(const Knot& from, double way) {
+    return std::sqrt(from.size + way) - std::sqrt(from.size);
+  }
+  static double reach(const Knot& from, double sum) { return sum * (sum + 2.0 * std::sqrt(from.size)); }
+
+  std::vector<Knot> knots_;
+  std::vector<double> until_;  ///< up to each knot, and between them
+};
+
+/// The distance of the apex of a face from a side, and where it is next to it: in the side's least cost.
+struct ApexOfSide {
+  double at;
+  double away;
+};
+
+ApexOfSide apex_of(const EdgeFrame& frame, double cost) {
+  const double at = std::clamp(frame.apex_x, 0.0, frame.length);
+  const double scale = frame.length > 0.0 ? cost / frame.length : 1.0;
+  return {scale * at, scale * std::hypot(frame.apex_x - at, frame.apex_y)};
+}
 
 }  // namespace
 
@@ -63,25 +120,38 @@ FaceNorms::FaceNorms(std::shared_ptr<const Mesh> mesh, Index points_per_edge) : 
   place_points(points_per_edge);
 }
 
-/// Long edges have more points than short ones, and those beside a low face more than their length alone
-/// asks for: what is reached through a piece may be as near as that. Each component has the points that it
-/// would have alone.
+/// Waves have details of the size of what they came past, so points are dense near small faces, and near an
+/// apex that is close to the side opposite. Each component has the points that it would have alone.
 void FaceNorms::place_points(Index per_edge) {
   const Index edges = mesh_->edge_count();
+  // At a vertex, the distance to the nearest side that is opposite.
+  std::vector<double> size_at(mesh_->vertex_count(), std::numeric_limits<double>::infinity());
+  for (const Index h : checked(3 * mesh_->face_count())) {
+    const double away = apex_of(frame(h), edge_cost(mesh_->edge_of(h))).away;
+    if (away > 0.0) size_at[mesh_->apex(h)] = std::min(size_at[mesh_->apex(h)], away);
+  }
+  Density density;
+  std::vector<Density::Knot> knots;
+  auto set_density = [&](Index e) {
+    const double cost = edge_cost(e);
+    const auto [a, b] = mesh_->edge_vertices(e);
+    knots.assign({{0.0, std::min(size_at[a], cost)}, {cost, std::min(size_at[b], cost)}});
+    const Index first = mesh_->edge_halfedge(e);
+    Index h = first;
+    do {
+      const auto [at, away] = apex_of(frame(h), cost);
+      knots.push_back({at, away + std::min(size_at[mesh_->apex(h)], cost)});
+      h = mesh_->next_around_edge(h);
+    } while (h != first);
+    density.set(knots);
+  };
   std::vector<double> weight(edges, 0.0);
   std::vector<std::vector<double>> weights(mesh_->component_count());
   auto component_of = [&](Index e) { return mesh_->component(mesh_->edge_vertices(e)[0]); };
   for (const Index e : checked(edges)) {
     if (!(edge_cost(e) > 0.0)) continue;
-    double ratio = 0.0;  // of the length to the height of the lowest face
-    const Index first = mesh_->edge_halfedge(e);
-    Index h = first;
-    do {
-      const EdgeFrame face = frame(h);
-      ratio = std::max(ratio, face.length / std::max(face.apex_y, least_height * face.length));
-      h = mesh_->next_around_edge(h);
-    } while (h != first);
-    weight[e] = std::pow(edge_cost(e), by_length) * std::pow(ratio, by_height);
+    set_density(e);
+    weight[e] = density.total();
     weights[component_of(e)].push_back(weight[e]);
   }
   std::vector<double> scale(weights.size(), 0.0);
@@ -99,9 +169,18 @@ void FaceNorms::place_points(Index per_edge) {
     if (first_point_.back() + count > most_points_of_all) {
       throw InvalidInput("There are too many points on edges: give fewer for each edge, or a smaller mesh.");
     }
-    first_point_.push_back(first_point_.back() + static_cast<Index>(count));
-    edge_of_point_.insert(edge_of_point_.end(), static_cast<std::size_t>(count), e);
-    longest_piece_ = std::max({longest_piece_, along(e, spacing(e)), along(e, -spacing(e))});
+    const auto points = static_cast<Index>(count);
+    first_point_.push_back(first_point_.back() + points);
+    edge_of_point_.insert(edge_of_point_.end(), static_cast<std::size_t>(points), e);
+    const double cost = edge_cost(e);
+    if (cost > 0.0) set_density(e);
+    for (Index k = 1; k <= points; ++k) {
+      const double share = static_cast<double>(k) / (points + 1);
+      fraction_.push_back(static_cast<float>(cost > 0.0 ? density.place(share) / cost : share));
+    }
+    for (Index k = 0; k <= points; ++k) {
+      longest_piece_ = std::max({longest_piece_, along(e, piece(e, k)), along(e, -piece(e, k))});
+    }
   }
 }
 
@@ -305,11 +384,15 @@ namespace {
 /// Relative: the cost of an edge is that of one of its faces up to rounding.
 constexpr double same_cost = 1e-9;
 
-/// Of its radius: how far beside its point a wave that has entered a dearer face is as of one source.
-constexpr double wide = 0.25;
+/// Of its radius: how far beside its point a wave that has entered a dearer face is as of one source in the
+/// plane.
+constexpr double wide = 0.1;
+
+constexpr int most_rounds = 8;
+constexpr double same_slope = 1e-5;
 
 /// Of a piece: what the parts of two waves that touch overlap by, so that no ray passes between them.
-constexpr double overlap = 0.05;
+constexpr double overlap = 0.01;
 
 }  // namespace
 
@@ -336,17 +419,60 @@ WaveParts wave_parts(const EdgeWave& first, const EdgeWave& second, double cost)
   return {std::min(1.0, share + overlap), std::max(0.0, share - overlap)};
 }
 
-FaceBeam::FaceBeam(const EdgeWave& wave, double at, double dearer, double low, double high, double limit,
-                   double shift)
-    : distance_(wave.distance), at_(at), low_(low), high_(high), limit_(limit) {
+FaceBeam::FaceBeam(const EdgeWave& wave, double at, double dearer, double low, double high, double shift)
+    : wave_(wave), at_(at), dearer_(dearer), low_(low), high_(high), shift_(shift) {
+  wave_.radius = std::min(wave.radius, flattest * wave.distance);
+  wave_.drift = 0.0;
   const double cosine = std::clamp(wave.slope / dearer - shift, -1.0, 1.0);
   radius_ = std::min(refracted_radius(wave.radius, {cosine, dearer, shift}, true), flattest * wave.distance);
   x_ = at - radius_ * cosine;
   y_ = -radius_ * std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
-  if (dearer > 1.0 + same_cost) {
-    low_ = std::max(low_, at - wide * radius_);
-    high_ = std::min(high_, at + wide * radius_);
+  bends_ = dearer > 1.0 + same_cost &&
+           std::max(at - low, high - at) > wide * std::min(radius_, dearer * wave_.radius);
+}
+
+FaceBeam::Local FaceBeam::local(double crossing) const {
+  const double way = (crossing - at_) / dearer_;
+  const double radius =
+      std::sqrt(std::max(0.0, wave_.radius * wave_.radius + way * (way + 2.0 * wave_.radius * wave_.slope)));
+  return {radius, radius > 0.0 ? (wave_.radius * wave_.slope + way) / radius : wave_.slope};
+}
+
+/// Newton's method for the least sum of the distance on the side and the way from there, which is convex.
+double FaceBeam::bent_crossing(double x, double y) const {
+  const double slack = 1e-9 * (high_ - low_);
+  double low = low_;
+  double high = high_;
+  double at = std::clamp(y > y_ ? (x_ * y - x * y_) / (y - y_) : x, low, high);
+  for (int round = 0; round < most_rounds; ++round) {
+    const auto [radius, slope] = local(at);
+    const double rest = std::sqrt((x - at) * (x - at) + y * y);
+    if (!(rest > 0.0)) return at;
+    const double fall = (x - at) / rest;
+    const double rise = slope / dearer_ - shift_ - fall;
+    if (std::abs(rise) < same_slope) return at;
+    if (rise > 0.0 ? at <= low_ : at >= high_) return rise > 0.0 ? low_ - slack : high_ + slack;
+    (rise > 0.0 ? high : low) = at;
+    double bend = (1.0 - fall * fall) / rest;
+    if (radius > 0.0) bend += (1.0 - slope * slope) / (radius * dearer_ * dearer_);
+    const double next = at - rise / bend;
+    at = next > low && next < high ? next : round == 0 ? (rise > 0.0 ? low : high) : 0.5 * (low + high);
   }
+  return at;
+}
+
+double FaceBeam::bent_distance(double crossing, double x, double y) const {
+  const double at = std::clamp(crossing, low_, high_);
+  return wave_.along((at - at_) / dearer_) - shift_ * (at - at_) + std::sqrt((x - at) * (x - at) + y * y);
+}
+
+FaceNorms::Place FaceBeam::bent_source(double crossing) const {
+  const double at = std::clamp(crossing, low_, high_);
+  const auto [radius, slope] = local(at);
+  const double cosine = std::clamp(slope / dearer_ - shift_, -1.0, 1.0);
+  const double in_face =
+      std::min(refracted_radius(radius, {cosine, dearer_, shift_}, true), flattest * wave_.distance);
+  return {at - in_face * cosine, -in_face * std::sqrt(std::max(0.0, 1.0 - cosine * cosine))};
 }
 
 }  // namespace vorogeo

@@ -41,7 +41,7 @@ struct EdgeFrame {
 /// The faces of a mesh laid into the plane, each by its own sides, on which the two faces of an edge may
 /// disagree; along an edge, the cheaper face counts.
 ///
-/// Each edge holds points, evenly spaced between its ends: more where it is long or a face beside it is low.
+/// Each edge holds points, which are dense near small faces.
 /// Points are numbered: first the vertices, then those of the edges, from the edge's first vertex on.
 class FaceNorms {
  public:
@@ -96,9 +96,23 @@ class FaceNorms {
   Index edge_of(Index point) const { return edge_of_point_[point - mesh_->vertex_count()]; }
   /// Its number along its edge, from 1.
   Index along_edge(Index point) const { return point - first_point_[edge_of(point)] + 1; }
+  /// Where a point is, from the edge's first vertex.
+  double fraction(Index edge, Index i) const {
+    if (i == 0) return 0.0;
+    if (i > points_on(edge)) return 1.0;
+    return fractions_of(edge)[i - 1];
+  }
+  /// Of the points between the ends of an edge.
+  std::span<const float> fractions_of(Index edge) const {
+    return std::span(fraction_).subspan(first_point_[edge] - mesh_->vertex_count(), points_on(edge));
+  }
   /// Of an edge, the part from a point to the next.
-  double spacing(Index edge) const { return 1.0 / (points_on(edge) + 1); }
-  double fraction(Index edge, Index i) const { return static_cast<double>(i) / (points_on(edge) + 1); }
+  double piece(Index edge, Index first) const { return fraction(edge, first + 1) - fraction(edge, first); }
+  /// The point at or before a part of an edge, of which there is one behind.
+  Index point_before(Index edge, double part) const {
+    const auto parts = fractions_of(edge);
+    return static_cast<Index>(std::ranges::upper_bound(parts, part) - parts.begin());
+  }
   double longest_piece() const { return longest_piece_; }
   /// The place in a face of the point at a fraction of the edge of one of its half-edges, from the edge's
   /// first vertex.
@@ -111,7 +125,8 @@ class FaceNorms {
   }
   std::size_t memory_bytes() const {
     return layout_.capacity() * sizeof(layout_[0]) + in_thin_fan_.capacity() +
-           (first_point_.capacity() + edge_of_point_.capacity()) * sizeof(Index);
+           (first_point_.capacity() + edge_of_point_.capacity()) * sizeof(Index) +
+           fraction_.capacity() * sizeof(float);
   }
 
  private:
@@ -123,6 +138,7 @@ class FaceNorms {
   std::shared_ptr<const Mesh> mesh_;
   std::vector<Index> first_point_;    ///< by edge, and the number of all points
   std::vector<Index> edge_of_point_;  ///< by point that is no vertex
+  std::vector<float> fraction_;       ///< likewise
   double longest_piece_ = 0.0;
   std::vector<std::uint8_t> in_thin_fan_;      ///< by face; empty if none does
   std::vector<std::array<double, 3>> layout_;  ///< length of the first side; corner 2, at height 0 if flat
@@ -199,42 +215,55 @@ struct WaveParts {
 /// shadow of a vertex, the wave that does not bend would be too short: they touch where the shadow begins.
 WaveParts wave_parts(const EdgeWave& first, const EdgeWave& second, double cost);
 
-/// A wave in a face that it has entered through a part of a side: as of a source before the side, which lies
-/// on the x axis. Drifts inside the face are the caller's.
+/// A wave in a face that it has entered through a part of a side, which lies on the x axis. Drifts inside the
+/// face are the caller's. In the cheapest face of the side it is as of one source in the plane; in a dearer
+/// one each ray has its own, so that rays bend by Snell's law.
 class FaceBeam {
  public:
   /// `at`: of the wave's point on the side; `dearer`: how many times as long the side is in the face as in
-  /// its cheapest one, `shift` as of RayAtEdge; the part is from `low` to `high`. Distances of `limit` or
-  /// more are left to other beams.
-  FaceBeam(const EdgeWave& wave, double at, double dearer, double low, double high,
-           double limit = unreachable, double shift = 0.0);
+  /// its cheapest one, `shift` as of RayAtEdge; the part is from `low` to `high`.
+  FaceBeam(const EdgeWave& wave, double at, double dearer, double low, double high, double shift = 0.0);
 
-  /// The distance of a point at height `y`; `unreachable` if the ray to it does not pass the part. `drift`:
-  /// from the wave's point on the side to this one.
-  double distance(double x, double y, double drift = 0.0) const {
-    const double at = crossing(x, y);
-    return at >= low_ && at <= high_ ? distance_inside(x, y, drift) : unreachable;
+  /// Where the ray to a point at height `y` passes the side; outside of the part: none does.
+  double crossing(double x, double y) const {
+    if (bends_) return bent_crossing(x, y);
+    return y > y_ ? (x_ * y - x * y_) / (y - y_) : x;
   }
-  /// The same of a point to which the ray does.
-  double distance_inside(double x, double y, double drift = 0.0) const {
+  /// The distance of a point by its ray. `drift`: from the wave's point on the side to this one.
+  double distance(double crossing, double x, double y, double drift = 0.0) const {
+    if (bends_) return bent_distance(crossing, x, y) + drift;
     // No difference of large numbers, however flat the wave is.
     const double change = (x - at_) * (x - at_) + y * y + 2.0 * ((x - at_) * (at_ - x_) - y * y_);
     const double sum = std::sqrt((x - x_) * (x - x_) + (y - y_) * (y - y_)) + radius_;
-    const double found = (sum > 0.0 ? distance_ + change / sum : distance_) + drift;
-    return found < limit_ ? found : unreachable;
+    return (sum > 0.0 ? wave_.distance + change / sum : wave_.distance) + drift;
   }
-  double crossing(double x, double y) const { return y > y_ ? (x_ * y - x * y_) / (y - y_) : x; }
-  FaceNorms::Place source() const { return {x_, y_}; }
+  bool has(double crossing) const { return crossing >= low_ && crossing <= high_; }
+  /// Of the ray that passes the side there.
+  FaceNorms::Place source(double crossing) const {
+    return bends_ ? bent_source(crossing) : FaceNorms::Place{x_, y_};
+  }
   double low() const { return low_; }
   double high() const { return high_; }
 
  private:
-  double distance_;
+  /// How the wave goes on at a place of the side.
+  struct Local {
+    double radius;
+    double slope;
+  };
+  Local local(double crossing) const;
+  double bent_distance(double crossing, double x, double y) const;
+  double bent_crossing(double x, double y) const;
+  FaceNorms::Place bent_source(double crossing) const;
+
+  EdgeWave wave_;
   double at_;
+  double dearer_;
   double low_;
   double high_;
-  double limit_;
-  double radius_;
+  double shift_;
+  bool bends_ = false;
+  double radius_ = 0.0;
   double x_ = 0.0;  ///< of the source
   double y_ = 0.0;  ///< at most 0
 };

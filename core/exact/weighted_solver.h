@@ -14,11 +14,11 @@ namespace vorogeo {
 
 /// The weighted region problem on a surface: shortest paths refract at edges and run along cheap ones.
 ///
-/// Points on edges (Lanthier, Maheshwari, Sack 2001; Aleksandrov, Maheshwari, Sack 2005) are settled once, in
-/// order of distance. Each knows the wave that reached it: its direction and its curvature, as of a source in
-/// the plane. So a face is crossed not from points but from all of a side, and distances between two points
-/// have an error of third order in the space between them. Its functions are those of ExactSolver, for any
-/// metric. One object belongs to one thread.
+/// Points on edges (Lanthier, Maheshwari, Sack 2001; Aleksandrov, Maheshwari, Sack 2005) are settled in
+/// order of distance, again where a nearer way is found late. Each knows the wave that reached it: its
+/// direction and its curvature, as of a source in the plane. So a face is crossed not from points but from
+/// all of a side, and distances between two points have an error of third order in the space between them.
+/// Its functions are those of ExactSolver, for any metric. One object belongs to one thread.
 class WeightedSolver {
  public:
   explicit WeightedSolver(std::shared_ptr<const FaceNorms> norms);
@@ -76,9 +76,10 @@ class WeightedSolver {
     float error = -1.0f;  ///< expected of the waves from it, relative; below 0: not known
     Index from = no_index;
     Index face = no_index;
-    Index source : 30 = no_index;
-    bool bends : 1 = false;
-    bool settled : 1 = false;
+    Index source = no_index;
+    bool bends = false;
+    bool waits = false;        ///< to be settled
+    std::uint8_t settled = 0;  ///< times
   };
   /// Where the last piece of a path to a point of a face comes from.
   struct BackStep {
@@ -93,19 +94,9 @@ class WeightedSolver {
 
   void reset(std::span<const ExactSource> sources, const ExactLimits& limits);
   void start_at(Index source);
+  bool came_by(Index point, Index other) const;
   void reach(Index point, const Arrival& arrival);
-  /// A point of another side of a face that is crossed.
-  struct PointAcross {
-    Index point;
-    FaceNorms::Place place;
-    FaceNorms::Place direction;  ///< of its side
-    double dearer;               ///< as of RayAtEdge
-    double shift;                ///< likewise
-    double drift;                ///< from the first vertex of the side that is crossed
-  };
   // Metrics with drifts have loops of their own, so that they cost the others nothing.
-  template <bool one_way>
-  class PointsAcross;
   template <bool one_way>
   EdgeWave wave_at(Index edge, Index k) const;
   template <bool one_way>

@@ -104,12 +104,14 @@ TEST_F(Waves, OneCostIsThePlane) {
     const double crossing = from.x + (target[0] - from.x) * from.y / (from.y + target[1]);
     const double straight = from.offset + std::hypot(target[0] - from.x, target[1] + from.y);
     const FaceBeam beam(from.at(at), at, 1.0, crossing - 0.1, crossing + 0.1);
-    EXPECT_NEAR(beam.distance(target[0], target[1]), straight, 1e-12);
-    EXPECT_NEAR(beam.crossing(target[0], target[1]), crossing, 1e-12);
+    const double found = beam.crossing(target[0], target[1]);
+    EXPECT_NEAR(found, crossing, 1e-12);
+    EXPECT_TRUE(beam.has(found));
+    EXPECT_NEAR(beam.distance(found, target[0], target[1]), straight, 1e-12);
+    EXPECT_NEAR(beam.source(found)[0], from.x, 1e-12);
+    EXPECT_NEAR(beam.source(found)[1], -from.y, 1e-12);
     const FaceBeam beside(from.at(at), at, 1.0, crossing + 0.01, crossing + 0.1);
-    EXPECT_EQ(beside.distance(target[0], target[1]), unreachable);
-    EXPECT_EQ(FaceBeam(from.at(at), at, 1.0, -9.0, 9.0, straight - 0.01).distance(target[0], target[1]),
-              unreachable);
+    EXPECT_FALSE(beside.has(beside.crossing(target[0], target[1])));
   }
 }
 
@@ -127,26 +129,35 @@ double refracted_at(const auto& from, const std::array<double, 2>& target, doubl
   return 0.5 * (low + high);
 }
 
-TEST_F(Waves, DearerFacesRefractToThirdOrder) {
+TEST_F(Waves, DearerFacesBendEachRay) {
   for (const double cost : {1.5, 5.0, 1e3}) {
     for (int i = 0; i < 20; ++i) {
       const Source from = source();
       const std::array target{between(-1.0, 1.0), between(0.3, 1.0)};
       const double crossing = refracted_at(from, target, cost);
       const double exact = from.distance(crossing) + cost * std::hypot(target[0] - crossing, target[1]);
-      const auto error_from = [&](double away) {
-        // Lengths along the edge are those in the dearer face, where a unit is `cost`.
-        const double at = crossing + away;
-        const FaceBeam beam(from.at(at), cost * at, cost, cost * (crossing - 1.0), cost * (crossing + 1.0));
-        const double found = beam.distance(cost * target[0], cost * target[1]);
-        return found < unreachable ? std::abs(found - exact) : 1.0;
+      // Lengths along the edge are those in the dearer face, where a unit is `cost`.
+      const auto beam_through = [&](double at, double low, double high) {
+        return FaceBeam(from.at(at), cost * at, cost, cost * low, cost * high);
       };
-      const double least_distance = std::min(from.y, target[1]);
-      for (const double away : {0.01, -0.01}) {
-        const double cube = std::pow(std::abs(away) / least_distance, 3) * least_distance;
-        EXPECT_LT(error_from(away), 5.0 * cube + 1e-11) << cost << " at " << away;
+      for (const double away : {0.0, 0.01, -0.01, 0.5, -0.9}) {
+        const FaceBeam beam = beam_through(crossing + away, crossing - 1.0, crossing + 1.0);
+        const double found = beam.crossing(cost * target[0], cost * target[1]);
+        EXPECT_NEAR(found, cost * crossing, 1e-4 * cost) << cost << " at " << away;
+        EXPECT_NEAR(beam.distance(found, cost * target[0], cost * target[1]), exact, 1e-8 * exact)
+            << cost << " at " << away;
+        // The ray comes from its source.
+        const auto [x, y] = beam.source(found);
+        EXPECT_NEAR((found - x) * cost * target[1], -y * (cost * target[0] - found),
+                    1e-4 * std::hypot(found - x, y) * cost)
+            << cost << " at " << away;
       }
-      EXPECT_NEAR(error_from(0.0), 0.0, 1e-9) << cost;
+      for (const double away : {0.01, -0.7}) {
+        const FaceBeam beside = beam_through(crossing, crossing + std::min(away, 0.0) - 0.1,
+                                             crossing + std::max(away, 0.0) - 0.005);
+        const bool is_inside = away > 0.0;
+        EXPECT_EQ(beside.has(beside.crossing(cost * target[0], cost * target[1])), is_inside) << cost;
+      }
     }
   }
 }
