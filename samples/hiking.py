@@ -53,7 +53,7 @@ moved = (regions[0].vertex_region != regions[1].vertex_region).mean()
 print(f"{100 * moved:.1f} % of the places are nearer to another hut on the way there than on the way back")
 
 shade = colors.LightSource(315, 45).hillshade(height, dx=spacing[0], dy=spacing[1])
-figure, axes = pyplot.subplots(1, 3, figsize=(12.5, 5.2))
+figure, axes = pyplot.subplots(1, 3, figsize=(12.5, 5.6))
 titles = ("hours from the valley", "hours to the valley")
 levels = np.linspace(0, max(field.max() for field in hours), 16)
 for axis in axes:
@@ -65,9 +65,11 @@ for axis, field, path, title in zip(axes[:2], hours, (there, back), titles, stri
     axis.plot(path.points[:, 0], path.points[:, 1], color="crimson", linewidth=1.8)
     axis.plot(*vertices[[valley, summit], :2].T, "o", color="crimson", markersize=4)
     axis.set_title(title, fontsize=10)
-for found, color, name in zip(regions, ("crimson", "navy"), ("first hut to reach", "first back from it"), strict=True):
+# Where borders are the same, the wide line is seen on both sides of the other.
+kinds = (("crimson", 3, "first hut to reach"), ("navy", 1, "first back from it"))
+for found, (color, width, name) in zip(regions, kinds, strict=True):
     lines = np.concatenate([[*found.borders.points[edge, :2], [np.nan] * 2] for edge in found.borders.edges])
-    axes[2].plot(*lines.T, color=color, linewidth=1.5, label=name)
+    axes[2].plot(*lines.T, color=color, linewidth=width, label=name)
 axes[2].plot(*vertices[huts, :2].T, "^", color="black", markersize=7)
 axes[2].legend(fontsize=8, loc="lower right")
 axes[2].set_title("regions of huts, there and back", fontsize=10)
