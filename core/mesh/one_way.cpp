@@ -15,12 +15,18 @@ namespace vorogeo {
 
 namespace {
 
-/// Of length 1; 0 for a face without area.
-Point unit_normal(std::span<const Point> positions, const std::array<Index, 3>& face) {
+/// The part of a vector along a face; along its longest side if it has no area.
+Point along_face(std::span<const Point> positions, const std::array<Index, 3>& face, const Point& vector) {
   const Point& origin = positions[face[0]];
-  const Point normal = cross(minus(positions[face[1]], origin), minus(positions[face[2]], origin));
-  const double length = length_of(normal);
-  return length > 0.0 ? Point{normal[0] / length, normal[1] / length, normal[2] / length} : Point{};
+  const Point one = minus(positions[face[1]], origin), other = minus(positions[face[2]], origin);
+  const Point normal = cross(one, other);
+  const double area = dot(normal, normal);
+  if (area > 0.0) return moved(vector, -dot(vector, normal) / area, normal);
+  const Point third = minus(other, one);
+  const Point longest =
+      std::ranges::max({one, other, third}, {}, [](const Point& side) { return dot(side, side); });
+  const double squared = dot(longest, longest);
+  return squared > 0.0 ? moved(Point{}, dot(vector, longest) / squared, longest) : Point{};
 }
 
 /// identity * I + along * d d'.
@@ -46,8 +52,7 @@ Randers travel_time(std::span<const Point> positions, std::span<const std::array
                     std::span<const Point> wind, std::span<const double> speed) {
   Randers randers;
   for (const std::size_t f : checked(faces.size())) {
-    const Point normal = unit_normal(positions, faces[f]);
-    const Point along = moved(wind[f], -dot(wind[f], normal), normal);
+    const Point along = along_face(positions, faces[f], wind[f]);
     const Point relative{along[0] / speed[f], along[1] / speed[f], along[2] / speed[f]};
     const double lam = 1.0 - dot(relative, relative);
     if (speed[f] <= 0.0 || lam <= 0.0) {
@@ -83,8 +88,9 @@ double naismith(double grade) { return 0.72 + 6.0 * std::max(grade, 0.0); }
 CostOfGrade climbing_cost(double uphill, double downhill) {
   for (const auto& [name, cost] : {std::pair("uphill", uphill), std::pair("downhill", downhill)}) {
     if (cost >= 0.0 && std::isfinite(cost)) continue;
-    throw InvalidInput(std::string("The ") + name + " cost is " + std::to_string(cost) +
-                       "; give a number of at least 0: what a unit of height costs besides the length.");
+    throw InvalidInput(
+        std::string("The ") + name + " cost is " + std::to_string(cost) +
+        "; give a finite number of at least 0: what a unit of height costs besides the length.");
   }
   return for_each_grade([=](double grade) {
     return std::hypot(1.0, grade) + (grade > 0.0 ? uphill * grade : -downhill * grade);
@@ -146,11 +152,10 @@ Randers hiking_time(std::span<const Point> positions, std::span<const std::array
   std::vector<Point> uphill;
   std::vector<Slope> slopes;
   for (const auto& face : faces) {
-    const Point normal = unit_normal(positions, face);
-    const double cosine = dot(upwards, normal);
-    const Point rise = moved(upwards, -cosine, normal);
+    const Point rise = along_face(positions, face, upwards);
     const double sine = length_of(rise);
-    slopes.push_back({sine, sine / std::max(std::abs(cosine), least_cosine)});
+    const double cosine = length_of(minus(upwards, rise));
+    slopes.push_back({sine, sine / std::max(cosine, least_cosine)});
     uphill.push_back(sine > 0.0 ? Point{rise[0] / sine, rise[1] / sine, rise[2] / sine} : Point{});
   }
   const double level = checked_costs(pace, std::array{0.0})[0];

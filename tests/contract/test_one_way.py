@@ -141,3 +141,21 @@ REFUSED: dict[str, Callable[[vorogeo.Surface], Any]] = {
 def test_what_needs_both_ways_alike_is_refused_by_its_name(what: str, shape: Shape) -> None:
     with ask.refused(f"{what} need ways back that cost the same, and this metric goes one way"):
         REFUSED[what](ask.new_surface(shape))
+
+
+def test_winds_and_slopes_of_faces_without_area_are_those_along_them() -> None:
+    shape = table.named("plane")
+    vertices, faces = shape.vertices, shape.faces
+    row = np.flatnonzero(vertices[:, 1] == vertices[:, 1].min())[:3]
+    more = np.vstack([faces, row[np.newaxis]]).astype(faces.dtype)
+    windy = [vorogeo.travel_time(vertices, of, (0.2, 0.0, 1.5), 1.0) for of in (faces, more)]
+    on_foot = [vorogeo.hiking_time(vertices, of) for of in (faces, more)]
+    for (without, given), cost in ((windy, None), (on_foot, vorogeo.tobler(0.0))):
+        field, expected = (
+            vorogeo.Surface(vertices, of, metric=metric).distance_field(int(shape.sources[0]))
+            for of, metric in ((more, given), (faces, without))
+        )
+        np.testing.assert_allclose(field, expected, rtol=1e-9)
+        if cost is not None:
+            length = shape.fields(shape.sources[:1])[0]
+            np.testing.assert_allclose(field, cost * length, rtol=1e-9)
