@@ -59,7 +59,8 @@ def run(options: argparse.Namespace) -> dict[str, str]:
 def row(name: str, errors: Any) -> list[str]:
     """Mean and largest error on each mesh, and the least and the greatest time."""
     times = [ratio for _, ratio in errors]
-    return [name, *(shown(found) for found, _ in errors), f"{tables.number(min(times), 2)} to {tables.number(max(times), 2)}"]
+    least, most = (tables.number(time, 2) for time in (min(times), max(times)))
+    return [name, *(shown(found) for found, _ in errors), f"{least} to {most}"]
 
 
 def shown(found: dict[str, float]) -> str:
