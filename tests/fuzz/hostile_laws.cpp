@@ -173,6 +173,8 @@ class Laws {
         hostile_.exact[0][other] < unreachable ? other : static_cast<Index>(random_.below(count_));
     const double distance = hostile_.exact[0][target];
     if (!(distance < unreachable) || distance == 0.0) return;
+    // Beside an outlier, rounded points of the line bend the needles that lead to it.
+    if (farthest_ > 1e6 * hostile_.mesh->typical_edge_length()) return;
     hostile_.ask("mesh torn along the path from vertex " + std::to_string(source) + " to " +
                  std::to_string(target));
     hostile_.attempt([&] {
@@ -187,8 +189,7 @@ class Laws {
       for (const SurfacePoint& point : cut.points) positions.push_back(position_of(*hostile_.mesh, point));
       const Torn torn = torn_along(cut, std::move(positions), line);
       const auto mesh = std::make_shared<const Mesh>(torn.soup.positions, torn.soup.faces);
-      // Points of the line are rounded, those on an edge to an outlier by some units of the last place of
-      // that.
+      // Points of the line are rounded by units of the last place of the farthest vertex.
       const double rounding = 1e-12 * farthest_;
       for (int i = 0; i < (target == other ? 2 : 1); ++i) {
         std::vector<Index> at_end;
