@@ -183,6 +183,7 @@ if check "build of the C++ tests" build release "-DVOROGEO_VCG_INCLUDE_DIR=$vcg"
   if [ "$quick" = no ]; then
     check "installed library" tests/library/run.sh build/release "$vcg"
     check "hostile meshes" tests/fuzz/run.sh --count 1000 --vertices 50
+    check "hostile meshes of all kinds" tests/fuzz/run.sh --first 4000040000 --count 300 --vertices 50 --no-costs
     check "hostile meshes of today" tests/fuzz/run.sh --count "$meshes_of_today" --of-today --no-costs
     check "large hostile meshes of today" tests/fuzz/run.sh --count 20 --vertices 4000 --of-today --exact-only
   fi

@@ -444,7 +444,9 @@ constexpr int max_rounds = 4;
 
 bool same_place(const Point& a, const Point& b) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
 
-/// Border vertices at one position; empty if no two are.
+/// By vertex, the first of the border vertices at its position that it is one with; empty if no two are.
+/// Those of one face stay two: there is an edge of no length between them, and without the face, its third
+/// vertex might lose what it hangs on.
 std::vector<Index> equal_vertices(const Mesh& mesh) {
   struct Keyed {
     std::uint64_t key;
@@ -469,14 +471,29 @@ std::vector<Index> equal_vertices(const Mesh& mesh) {
     return same_place(p, q) ? a.vertex < b.vertex : p < q;
   });
   std::vector<Index> same_as;
-  for (std::size_t i = 1; i < keyed.size(); ++i) {
-    const Index previous = keyed[i - 1].vertex;
-    if (!same_place(mesh.position(previous), mesh.position(keyed[i].vertex))) continue;
+  auto share_a_face = [&](Index vertex, Index first) {
+    return std::ranges::any_of(mesh.corners(vertex), [&](Index corner) {
+      return std::ranges::any_of(mesh.face_vertices(Mesh::face_of(corner)),
+                                 [&](Index v) { return v != vertex && same_as[v] == first; });
+    });
+  };
+  std::vector<Index> firsts;  // at the place of the last vertex
+  for (std::size_t i = 0; i < keyed.size(); ++i) {
+    const Index vertex = keyed[i].vertex;
+    if (i == 0 || !same_place(mesh.position(keyed[i - 1].vertex), mesh.position(vertex))) {
+      firsts = {vertex};
+      continue;
+    }
     if (same_as.empty()) {
       same_as.resize(mesh.vertex_count());
       for (Index v = 0; v < mesh.vertex_count(); ++v) same_as[v] = v;
     }
-    same_as[keyed[i].vertex] = same_as[previous];
+    const auto first = std::ranges::find_if(firsts, [&](Index v) { return !share_a_face(vertex, v); });
+    if (first != firsts.end()) {
+      same_as[vertex] = *first;
+    } else {
+      firsts.push_back(vertex);
+    }
   }
   return same_as;
 }

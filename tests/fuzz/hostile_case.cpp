@@ -34,8 +34,11 @@ HostileCase::HostileCase(unsigned case_seed, HostileMesh mesh_of_seed, HostileTa
       hostile(std::move(mesh_of_seed)),
       random(case_seed + (1ULL << 40)),
       tally(shared_tally) {
-  copy_text(tally.sentence, hostile.sentence());
+  if (seed != scan_seed) copy_text(tally.sentence, hostile.sentence());
   typical = typical_edge(hostile.soup);
+  for (const Point& p : hostile.soup.positions) {
+    for (const double x : p) farthest = std::max(farthest, std::abs(x));
+  }
   find_components();
   options.threads = 1;
   options.delta = random.one_in(4) ? 0.01 : 0.0;
@@ -131,6 +134,17 @@ void HostileCase::note_error(ErrorKind kind, double actual, double exact_distanc
   tally.errors[static_cast<int>(kind)].add((actual - exact_distance) / exact_distance, seed);
 }
 
+void HostileCase::require_same(const std::string& law, const std::function<double(Index)>& expected,
+                               const std::function<double(Index)>& actual, double more) {
+  const auto count = static_cast<Index>(hostile.soup.positions.size());
+  for (Index v = 0; v < count; ++v) {
+    const double a = expected(v);
+    const double b = actual(v);
+    if (a == b || std::abs(a - b) <= slack(a) + more) continue;
+    fail(law, "vertex " + std::to_string(v) + ": " + exactly(b) + ", not " + exactly(a));
+  }
+}
+
 void HostileCase::require_sound(const std::vector<double>& field, Index source, double along_edges) {
   if (field[source] != 0.0) fail("the source is not at distance 0", exactly(field[source]));
   const Point& origin = hostile.soup.positions[source];
@@ -176,8 +190,13 @@ void check_costs(HostileCase& hostile, ScanCosts& scans) {
     const double seconds = scan[i].seconds;
     const double bytes = std::max(scan[i].bytes, exact_bytes);
     // What is beyond the clock and a handful of pages.
-    hostile.tally.times[i].add(std::max(0.0, cost.seconds - clock) / seconds, hostile.seed);
-    hostile.tally.memories[i].add(std::max(0.0, cost.bytes - some_bytes) / bytes, hostile.seed);
+    const double times = std::max(0.0, cost.seconds - clock) / seconds;
+    const double memories = std::max(0.0, cost.bytes - some_bytes) / bytes;
+    hostile.tally.times[i].add(times, hostile.seed);
+    hostile.tally.memories[i].add(memories, hostile.seed);
+    // As a part of what is allowed.
+    hostile.dearest =
+        std::max({hostile.dearest, times / most_of_a_scan[i].seconds, memories / most_of_a_scan[i].bytes});
     hostile.ask(hostile.index_text() + step_names[i]);
     if (cost.seconds > most_of_a_scan[i].seconds * seconds + clock) {
       hostile.fail(std::string("time of ") + step_names[i],

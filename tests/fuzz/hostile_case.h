@@ -43,6 +43,11 @@ class HostileCase {
   double slack(double distance) const { return 1e-9 * distance + 1e-15 * longest_; }
   /// Whether two vertices are connected through faces, found from the soup alone.
   bool connected(Index a, Index b) const { return component_[a] == component_[b]; }
+  /// Complains where two fields differ by more than the slack and `more`.
+  void require_same(const std::string& law, const std::function<double(Index)>& expected,
+                    const std::function<double(Index)>& actual, double more = 0.0);
+  /// Whether a vertex lies so far away that rounding of its place, or of lengths, bends what leads to it.
+  bool has_outlier() const { return farthest > 1e6 * mesh->typical_edge_length(); }
   /// Complaints about distances from one vertex that need no second opinion: signs, NaN, what is reached,
   /// differences along edges (relative slack `along_edges`), the straight line in space.
   void require_sound(const std::vector<double>& field, Index source, double along_edges);
@@ -58,7 +63,9 @@ class HostileCase {
   /// Two vertices of faces, and their exact fields; empty where exact distances are refused.
   std::array<Index, 2> sources{};
   std::array<std::vector<double>, 2> exact;
-  double typical = 1.0;  ///< median edge
+  double typical = 1.0;   ///< median edge
+  double farthest = 0.0;  ///< largest coordinate
+  double dearest = 0.0;   ///< cost of a step, as a part of what it may cost
   unsigned findings = 0;
 
  private:
@@ -78,6 +85,10 @@ void check_exact(HostileCase& hostile);
 /// The exact fields against those of the same mesh renumbered, moved and subdivided, and against each other.
 /// After check_exact().
 void check_laws(HostileCase& hostile);
+/// Fields in other metrics, which say where they are those of lengths. After check_exact().
+void check_metrics(HostileCase& hostile);
+/// Fields of the mesh with its gaps bridged. After check_exact().
+void check_gaps(HostileCase& hostile);
 /// Builds an index and checks it against the exact fields.
 void check_index(HostileCase& hostile);
 /// Refined, exact and uncertified paths from the first source to targets, and from a point inside a face to

@@ -6,6 +6,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <new>
@@ -28,7 +29,8 @@ constexpr const char* usage =
     "  --count     meshes, seeds from --first on (default 1000, first 1)\n"
     "  --hours     as many as fit this time instead\n"
     "  --of-today  the first seed is 1,000,000,000 and ten thousand times the day's number, so that no day\n"
-    "              repeats another's meshes; these are also machined, cut, decimated, in single precision\n"
+    "              repeats another's meshes; these are also machined, cut, decimated, in single precision;\n"
+    "              from --first 4000000000 on, meshes are of all kinds\n"
     "  --vertices  size: meshes have half to twice as many (default 60)\n"
     "  --mixed     sizes of 60, some of 200, 600, 2500 and 6000\n"
     "  --jobs      processes (default 1)\n"
@@ -111,7 +113,13 @@ void require_refusals(HostileCase& hostile) {
 Costs examine(HostileCase& hostile, const Options& options, ScanCosts* scans) {
   if (!hostile.make_mesh()) return {};
   check_exact(hostile);
-  if (hostile.seed != scan_seed) check_laws(hostile);
+  if (hostile.seed != scan_seed) {
+    check_laws(hostile);
+    if (options.index) {
+      check_metrics(hostile);
+      check_gaps(hostile);
+    }
+  }
   if (!options.index) return {};
   check_index(hostile);
   if (scans != nullptr && !hostile.exact[1].empty()) check_costs(hostile, *scans);
@@ -141,14 +149,20 @@ void examine_seed(unsigned seed, const Options& options, HostileTally& tally, Sc
   // What a check itself throws, as where its reference finds no memory, is a finding as well.
   hostile.attempt([&] { examine(hostile, options, options.costs ? &scans : nullptr); });
   ++tally.meshes;
+  for (const std::size_t kind : hostile.hostile.kinds) {
+    KindTally& of_kind = tally.kinds[kind];
+    ++of_kind.meshes;
+    of_kind.with_findings += hostile.findings > 0 ? 1 : 0;
+    of_kind.dearest.add(hostile.dearest, seed);
+  }
 }
 
 /// One of the processes of a run: takes every jobs-th seed.
 struct Worker {
   HostileTally* tally = nullptr;
-  unsigned next = 0;
-  unsigned end = 0;
-  pid_t process = 0;  ///< 0: none runs
+  std::uint64_t next = 0;
+  std::uint64_t end = 0;  ///< past the last seed at most, whatever the count
+  pid_t process = 0;      ///< 0: none runs
 
   void start(const Options& options, double deadline) {
     std::fflush(stdout);
@@ -159,9 +173,9 @@ struct Worker {
     setrlimit(RLIMIT_AS, &limit);
 #endif
     ScanCosts scans = scan_costs(options, *tally);
-    for (unsigned seed = next; seed < end; seed += options.jobs) {
+    for (std::uint64_t seed = next; seed < end; seed += options.jobs) {
       if (deadline > 0.0 && static_cast<double>(time(nullptr)) > deadline) break;
-      examine_seed(seed, options, *tally, scans);
+      examine_seed(static_cast<unsigned>(seed), options, *tally, scans);
     }
     tally->finished = true;
     std::fflush(stdout);
@@ -184,7 +198,7 @@ struct Worker {
     ++tally->meshes;
     std::printf("FINDING %s\n  seed %u: %s\n  %s\n  again: hostile_fuzz --seed %u%s\n", how.c_str(), seed,
                 tally->sentence, tally->question, seed, tally->size_argument);
-    next = seed + options.jobs;
+    next = std::uint64_t{seed} + options.jobs;
     process = 0;
   }
 
@@ -236,6 +250,7 @@ int summary(const std::vector<Worker>& workers, double started) {
       total.times[i].add(tally.times[i]);
       total.memories[i].add(tally.memories[i]);
     }
+    for (std::size_t i = 0; i < total.kinds.size(); ++i) total.kinds[i].add(tally.kinds[i]);
   }
   // Tables as documents have them: run.sh --report.
   std::printf(
@@ -253,6 +268,14 @@ int summary(const std::vector<Worker>& workers, double started) {
     std::printf("| %s | %llu | %.2g | %.2g | %.2g | %u |\n", error_kind_names[i],
                 static_cast<unsigned long long>(errors.count), errors.mean(), errors.quantile(0.99),
                 errors.largest, errors.largest_seed);
+  }
+  std::printf(
+      "\n| kind | meshes | with findings | dearest step, of what it may cost | seed "
+      "|\n|---|--:|--:|--:|---|\n");
+  for (std::size_t i = 0; i < total.kinds.size(); ++i) {
+    const KindTally& kind = total.kinds[i];
+    std::printf("| %s | %u | %u | %.2g | %u |\n", hostile_kinds[i], kind.meshes, kind.with_findings,
+                kind.dearest.largest, kind.dearest.largest_seed);
   }
   std::printf("\n");
   std::printf("%u meshes in %.0f s (%u refused in a sentence): %u findings on %u of them\n", total.meshes,
@@ -287,7 +310,7 @@ bool read_options(int argc, char** argv, Options& options) {
     if (++i >= argc) return false;
     char* rest = nullptr;
     const double value = std::strtod(argv[i], &rest);
-    if (rest == argv[i] || *rest != 0 || value < 0.0) return false;
+    if (rest == argv[i] || *rest != 0 || !(value >= 0.0) || value >= 0x1p32) return false;
     if (name == "--seed") {
       options.first = static_cast<unsigned>(value);
       options.count = 1;
@@ -298,7 +321,7 @@ bool read_options(int argc, char** argv, Options& options) {
       options.count = static_cast<unsigned>(value);
     } else if (name == "--hours") {
       options.seconds = 3600.0 * value;
-      options.count = 1U << 30;
+      options.count = std::numeric_limits<unsigned>::max();
     } else if (name == "--vertices") {
       options.vertices = static_cast<int>(value);
       options.mixed = false;
@@ -323,8 +346,8 @@ int main(int argc, char** argv) {
   std::vector<Worker> workers(options.single ? 1 : options.jobs);
   for (std::size_t i = 0; i < workers.size(); ++i) {
     workers[i].tally = shared_tally();
-    workers[i].next = options.first + static_cast<unsigned>(i);
-    workers[i].end = options.first + options.count;
+    workers[i].next = std::uint64_t{options.first} + i;
+    workers[i].end = std::min(std::uint64_t{options.first} + options.count, std::uint64_t{1} << 32);
   }
   if (options.single) {
     // Under a debugger there is nothing between it and the mesh.

@@ -43,6 +43,10 @@ class IndexCheck {
   void check_pairs();
   void check_voronoi();
   void check_file();
+  /// As from one thread.
+  void check_threads();
+  /// The other approximate answer, which has no bound of its errors.
+  void check_quick();
 
  private:
   void ask(const std::string& question) { hostile_.ask(hostile_.index_text() + question); }
@@ -197,6 +201,66 @@ void IndexCheck::check_file() {
   });
 }
 
+void IndexCheck::check_threads() {
+  const int threads = hostile_.random.one_in(2) ? 3 : 8;
+  const std::string several = std::to_string(threads) + " threads";
+  ask("field and Voronoi regions from " + several);
+  hostile_.attempt([&] {
+    const std::vector<double> alone =
+        test::IndexQuery(index_, 1).distance_field(std::array{hostile_.sources[0]});
+    const std::vector<double> shared =
+        test::IndexQuery(index_, threads).distance_field(std::array{hostile_.sources[0]});
+    hostile_.require_same(
+        "several threads give another field", [&](Index v) { return alone[v]; },
+        [&](Index v) { return shared[v]; });
+    const std::vector<SurfacePoint> sites{SurfacePoint::at_vertex(hostile_.sources[0]),
+                                          SurfacePoint::at_vertex(hostile_.sources[1])};
+    auto regions = [&](int count) {
+      Surface surface(index_, count);
+      return voronoi_regions(surface, PointList(sites), {.by = AnswerMethod::index}).distance;
+    };
+    const std::vector<double> from_one = regions(1);
+    const std::vector<double> from_several = regions(threads);
+    hostile_.require_same(
+        "several threads give other regions", [&](Index v) { return from_one[v]; },
+        [&](Index v) { return from_several[v]; });
+  });
+  // A build takes longer than all else.
+  if (!hostile_.random.one_in(4)) return;
+  ask("build by " + several);
+  hostile_.attempt([&] {
+    static const TemporaryFolder folder;
+    IndexOptions options = hostile_.options;
+    options.threads = threads;
+    index_->save(folder / "alone");
+    GeodesicIndex::build(hostile_.mesh, options)->save(folder / "several");
+    if (read_bytes(folder / "alone") != read_bytes(folder / "several"))
+      hostile_.fail("several threads build another index", several);
+  });
+}
+
+void IndexCheck::check_quick() {
+  const Index source = hostile_.sources[0];
+  hostile_.ask("quick field of vertex " + std::to_string(source));
+  hostile_.attempt([&] {
+    Surface surface(index_, 1);
+    Answered answered;
+    const std::vector<ExactSource> sources = sources_at(std::array{source});
+    const std::vector<double> field =
+        surface.field(sources, unreachable, AnswerMethod::quick, answered).distance;
+    if (field[source] != 0.0) hostile_.fail("the source is not at distance 0", exactly(field[source]));
+    for (Index v = 0; v < mesh_.vertex_count(); ++v) {
+      const double exact = hostile_.exact[0][v];
+      const std::string vertex =
+          "vertex " + std::to_string(v) + ": " + exactly(field[v]) + ", exact " + exactly(exact);
+      if (!(field[v] >= 0.0)) hostile_.fail("a negative distance or none", vertex);
+      if ((field[v] < unreachable) != (exact < unreachable))
+        hostile_.fail("reached or not, against the components", vertex);
+      hostile_.note_error(ErrorKind::quick, field[v], exact);
+    }
+  });
+}
+
 }  // namespace
 
 void check_index(HostileCase& hostile) {
@@ -208,6 +272,9 @@ void check_index(HostileCase& hostile) {
   check_paths(hostile, check.index(), check.targets(), check.inside());
   check.check_voronoi();
   check.check_file();
+  if (hostile.seed == scan_seed) return;
+  check.check_threads();
+  check.check_quick();
 }
 
 }  // namespace vorogeo::test

@@ -99,11 +99,7 @@ Torn torn_along(const CutMesh& cut, std::vector<Point> positions, const std::vec
 class Laws {
  public:
   explicit Laws(HostileCase& hostile)
-      : hostile_(hostile), random_(hostile.seed + (2ULL << 40)), count_(hostile.mesh->vertex_count()) {
-    for (const Point& p : hostile.hostile.soup.positions) {
-      for (double x : p) farthest_ = std::max(farthest_, std::abs(x));
-    }
-  }
+      : hostile_(hostile), random_(hostile.seed + (2ULL << 40)), count_(hostile.mesh->vertex_count()) {}
 
   void check() {
     check_inequality();
@@ -118,25 +114,12 @@ class Laws {
     const Soup moved = moved_exactly(soup, random_, scale);
     check_same("a motion changes a distance", moved, place, scale, 0.0);
     // A middle is rounded, by some 1e-16 of its place; a path may lead over many.
-    check_same("subdivision changes a distance", in_four(soup), place, 1.0, 1e-14 * farthest_);
+    check_same("subdivision changes a distance", in_four(soup), place, 1.0, 1e-14 * hostile_.farthest);
     check_constant_cost();
     check_cut();
   }
 
  private:
-  /// Complains where two fields differ by more than the slack and `more`.
-  void compare(const std::string& law, const std::function<double(Index)>& expected,
-               const std::function<double(Index)>& actual, double more = 0.0) {
-    for (Index v = 0; v < count_; ++v) {
-      const double a = expected(v);
-      const double b = actual(v);
-      if (a == b || std::abs(a - b) <= hostile_.slack(a) + more) continue;
-      hostile_.fail(law, "vertex " + std::to_string(v) + ": " + exactly(b) + ", not " + exactly(a));
-    }
-  }
-
-  bool has_outlier() const { return farthest_ > 1e6 * hostile_.mesh->typical_edge_length(); }
-
   /// On another mesh, whose vertices are at `place` and whose lengths are `scale` times as long.
   void check_same(const std::string& law, const Soup& soup, const std::vector<Index>& place, double scale,
                   double more) {
@@ -144,7 +127,7 @@ class Laws {
     hostile_.attempt([&] {
       const auto mesh = std::make_shared<const Mesh>(soup.positions, soup.faces);
       const auto field = exact_distance_field(mesh, std::array{place[hostile_.sources[0]]});
-      compare(
+      hostile_.require_same(
           law, [&](Index v) { return hostile_.exact[0][v]; },
           [&](Index v) { return field[place[v]] / scale; }, more);
     });
@@ -152,7 +135,7 @@ class Laws {
 
   /// Lengths determine needles less well than positions do, and those that lead to an outlier hardly.
   void check_constant_cost() {
-    if (has_outlier()) return;
+    if (hostile_.has_outlier()) return;
     const Soup& soup = hostile_.hostile.soup;
     // No power of two, so that lengths round.
     const double cost = random_.power(-3.0, 3.0);
@@ -163,7 +146,7 @@ class Laws {
       const auto mesh = std::make_shared<const Mesh>(soup.positions, soup.faces,
                                                      lengths_by_cost(soup.positions, soup.faces, costs));
       const auto field = exact_distance_field(mesh, std::array{hostile_.sources[0]});
-      compare(
+      hostile_.require_same(
           "a constant cost is not a scale", [&](Index v) { return hostile_.exact[0][v]; },
           [&](Index v) { return field[v] / cost; }, 1e-5 * hostile_.mesh->longest_edge_length());
     });
@@ -177,7 +160,7 @@ class Laws {
     const double distance = hostile_.exact[0][target];
     if (!(distance < unreachable) || distance == 0.0) return;
     // Beside an outlier, rounded points of the line bend the needles that lead to it.
-    if (has_outlier()) return;
+    if (hostile_.has_outlier()) return;
     hostile_.ask("mesh torn along the path from vertex " + std::to_string(source) + " to " +
                  std::to_string(target));
     hostile_.attempt([&] {
@@ -194,7 +177,8 @@ class Laws {
       const auto mesh = std::make_shared<const Mesh>(torn.soup.positions, torn.soup.faces);
       // Points of the line are rounded by units of the last place of the farthest vertex, and those very near
       // a corner are that corner.
-      const double rounding = std::max(1e-12 * farthest_, 1e-8 * hostile_.mesh->longest_edge_length());
+      const double rounding =
+          std::max(1e-12 * hostile_.farthest, 1e-8 * hostile_.mesh->longest_edge_length());
       for (int i = 0; i < (target == other ? 2 : 1); ++i) {
         std::vector<Index> at_end;
         for (Index v = 0; v < mesh->vertex_count(); ++v) {
@@ -206,7 +190,7 @@ class Laws {
           double& known = least[torn.vertex_of[v]];
           known = std::min(known, field[v]);
         }
-        compare(
+        hostile_.require_same(
             "a cut along a shortest path changes a distance", [&](Index v) { return hostile_.exact[i][v]; },
             [&](Index v) { return least[v]; }, rounding);
       }
@@ -228,7 +212,7 @@ class Laws {
   void check_sets() {
     hostile_.ask("exact field of both sources");
     const auto field = exact_distance_field(hostile_.mesh, hostile_.sources);
-    compare(
+    hostile_.require_same(
         "the distance to both sources is not the lesser one",
         [&](Index v) { return std::min(hostile_.exact[0][v], hostile_.exact[1][v]); },
         [&](Index v) { return field[v]; });
@@ -243,7 +227,7 @@ class Laws {
     solver.run_from_vertices(std::array{hostile_.sources[0]},
                              {.max_distance = limit, .distances_only = true});
     // At the limit itself, rounding decides.
-    compare(
+    hostile_.require_same(
         "a limit changes a distance",
         [&](Index v) {
           const bool near = std::abs(exact[v] - limit) <= hostile_.slack(limit);
@@ -255,7 +239,6 @@ class Laws {
   HostileCase& hostile_;
   HostileRandom random_;  ///< its own, so that what else is asked of a seed stays
   Index count_;
-  double farthest_ = 0.0;  ///< largest coordinate
 };
 
 }  // namespace

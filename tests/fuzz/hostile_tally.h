@@ -9,14 +9,30 @@
 #include <cstdio>
 
 #include "fuzz/hostile_cost.h"
+#include "support/hostile_meshes.h"
 
 namespace vorogeo::test {
 
 /// Answers whose errors are collected.
-enum class ErrorKind : std::uint8_t { field, pair, refined_path, uncertified_path, voronoi, reference };
-inline constexpr int error_kind_count = 6;
-inline constexpr std::array<const char*, error_kind_count> error_kind_names{
-    "field", "pair", "refined path", "uncertified path", "Voronoi distance", "tightened reference"};
+enum class ErrorKind : std::uint8_t {
+  field,
+  pair,
+  refined_path,
+  uncertified_path,
+  voronoi,
+  quick,
+  face_cost,
+  reference
+};
+inline constexpr int error_kind_count = 8;
+inline constexpr std::array<const char*, error_kind_count> error_kind_names{"field",
+                                                                            "pair",
+                                                                            "refined path",
+                                                                            "uncertified path",
+                                                                            "Voronoi distance",
+                                                                            "quick field",
+                                                                            "beyond the bounds of face costs",
+                                                                            "tightened reference"};
 
 /// Absolute relative errors by their logarithm, so that millions take no memory.
 struct ErrorHistogram {
@@ -82,6 +98,19 @@ struct CostRatios {
   }
 };
 
+/// What became of the meshes of a kind.
+struct KindTally {
+  unsigned meshes = 0;
+  unsigned with_findings = 0;
+  CostRatios dearest;  ///< step, as a part of what it may cost
+
+  void add(const KindTally& other) {
+    meshes += other.meshes;
+    with_findings += other.with_findings;
+    dearest.add(other.dearest);
+  }
+};
+
 /// One process of a run. Written by it, read by its parent when it has ended or hangs.
 struct HostileTally {
   std::atomic<unsigned> seed = 0;        ///< the mesh at work
@@ -97,6 +126,7 @@ struct HostileTally {
   std::array<ErrorHistogram, error_kind_count> errors{};
   std::array<CostRatios, step_count> times{};
   std::array<CostRatios, step_count> memories{};
+  std::array<KindTally, hostile_kinds.size()> kinds{};
 };
 
 }  // namespace vorogeo::test

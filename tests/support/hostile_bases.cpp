@@ -161,36 +161,6 @@ HostileMesh crumbs(int vertices, HostileRandom& random) {
   return mesh;
 }
 
-/// Cuts ears off a polygon that is counter-clockwise in the plane of x and y; as coarse as caps of CAD
-/// programs.
-void add_cap(Soup& soup, std::vector<Index> outline, bool upwards) {
-  const auto& p = soup.positions;
-  auto area = [&](Index a, Index b, Index c) {
-    return (p[b][0] - p[a][0]) * (p[c][1] - p[a][1]) - (p[b][1] - p[a][1]) * (p[c][0] - p[a][0]);
-  };
-  std::size_t at = 0;
-  std::size_t tried = 0;
-  while (outline.size() > 2) {
-    const std::size_t n = outline.size();
-    const Index a = outline[at % n], b = outline[(at + 1) % n], c = outline[(at + 2) % n];
-    bool ear = area(a, b, c) > 0.0;
-    for (std::size_t i = 0; ear && i < n; ++i) {
-      const Index v = outline[i];
-      if (v == a || v == b || v == c) continue;
-      ear = area(a, b, v) < 0.0 || area(b, c, v) < 0.0 || area(c, a, v) < 0.0;
-    }
-    // Where rounding leaves no ear, any corner is cut off.
-    if (ear || tried > n) {
-      soup.faces.push_back(upwards ? std::array{a, b, c} : std::array{a, c, b});
-      outline.erase(outline.begin() + static_cast<std::ptrdiff_t>((at + 1) % n));
-      tried = 0;
-    } else {
-      ++tried;
-      ++at;
-    }
-  }
-}
-
 HostileMesh extrusion(int vertices, HostileRandom& random) {
   const int corners = std::clamp(vertices / 2, 3, 400);
   const int levels = std::max(2, vertices / corners);
@@ -310,12 +280,42 @@ HostileMesh pipe(int vertices, HostileRandom& random) {
 
 }  // namespace
 
+void add_cap(Soup& soup, std::vector<Index> outline, bool upwards) {
+  const auto& p = soup.positions;
+  auto area = [&](Index a, Index b, Index c) {
+    return (p[b][0] - p[a][0]) * (p[c][1] - p[a][1]) - (p[b][1] - p[a][1]) * (p[c][0] - p[a][0]);
+  };
+  std::size_t at = 0;
+  std::size_t tried = 0;
+  while (outline.size() > 2) {
+    const std::size_t n = outline.size();
+    const Index a = outline[at % n], b = outline[(at + 1) % n], c = outline[(at + 2) % n];
+    bool ear = area(a, b, c) > 0.0;
+    for (std::size_t i = 0; ear && i < n; ++i) {
+      const Index v = outline[i];
+      if (v == a || v == b || v == c) continue;
+      ear = area(a, b, v) < 0.0 || area(b, c, v) < 0.0 || area(c, a, v) < 0.0;
+    }
+    // Where rounding leaves no ear, any corner is cut off.
+    if (ear || tried > n) {
+      soup.faces.push_back(upwards ? std::array{a, b, c} : std::array{a, c, b});
+      outline.erase(outline.begin() + static_cast<std::ptrdiff_t>((at + 1) % n));
+      tried = 0;
+    } else {
+      ++tried;
+      ++at;
+    }
+  }
+}
+
 HostileMesh hostile_base(HostileBase base, int vertices, HostileRandom& random) {
   using Make = HostileMesh (*)(int, HostileRandom&);
   // In the order of HostileBase.
   constexpr std::array<Make, hostile_base_count> bases{grid, folded, scan,          extrusion, plate,
                                                        pipe, fan,    triangle_soup, crumbs};
-  return bases[static_cast<std::size_t>(base)](vertices, random);
+  HostileMesh mesh = bases[static_cast<std::size_t>(base)](vertices, random);
+  mesh.note_kind(hostile_kinds[static_cast<std::size_t>(base)]);
+  return mesh;
 }
 
 }  // namespace vorogeo::test

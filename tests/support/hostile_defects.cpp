@@ -458,7 +458,10 @@ constexpr std::array<Defect, hostile_defect_count> all_defects{{
 void add_defect(HostileMesh& mesh, HostileDefect defect, HostileRandom& random) {
   if (mesh.soup.faces.empty() || mesh.soup.positions.empty()) return;
   const Defect& chosen = all_defects[static_cast<std::size_t>(defect)];
+  const std::size_t before = mesh.defects.size();
   chosen.add(mesh, random);
+  if (mesh.defects.size() > before)
+    mesh.note_kind(hostile_kinds[first_defect_kind + static_cast<std::size_t>(defect)]);
   if (!chosen.unrolls) mesh.flat.clear();
 }
 

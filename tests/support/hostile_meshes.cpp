@@ -103,6 +103,7 @@ std::string counted(std::size_t count, const std::string& noun) {
   const std::string number = std::to_string(count) + " ";
   if (count == 1) return number + noun;
   if (noun.ends_with("vertex")) return number + noun.substr(0, noun.size() - 2) + "ices";
+  if (noun.ends_with("tooth")) return number + noun.substr(0, noun.size() - 4) + "eeth";
   return number + noun + "s";
 }
 
@@ -132,6 +133,12 @@ void add_crumb(Soup& soup, const Point& centre, double size, HostileRandom& rand
   }
 }
 
+void HostileMesh::note_kind(std::string_view name) {
+  const auto number =
+      static_cast<std::size_t>(std::ranges::find(hostile_kinds, name) - hostile_kinds.begin());
+  if (std::ranges::find(kinds, number) == kinds.end()) kinds.push_back(number);
+}
+
 std::string HostileMesh::sentence() const {
   std::string text = base;
   for (std::size_t i = 0; i < defects.size(); ++i) {
@@ -152,9 +159,12 @@ HostileMesh hostile_mesh(unsigned seed, int vertices) {
                              plate, folded, pipe, fan,  soup,      crumbs};
   const HostileBase base = bases[random.below(bases.size())];
   const bool may_be_remeshed = seed >= first_remeshed_seed;
-  HostileMesh mesh =
-      may_be_remeshed && random.one_in(4) ? machined_part(size, random) : hostile_base(base, size, random);
+  const bool may_be_edited = seed >= first_edited_seed;
+  HostileMesh mesh = may_be_edited && random.one_in(3)     ? cad_part(size, random)
+                     : may_be_remeshed && random.one_in(4) ? machined_part(size, random)
+                                                           : hostile_base(base, size, random);
   // Before or after other defects.
+  if (may_be_edited && random.one_in(2)) mesh = edited(std::move(mesh), random);
   if (may_be_remeshed && random.one_in(2)) mesh = remeshed(std::move(mesh), random);
   // A single defect tells most; four together find what nobody thought of.
   constexpr std::array<int, 10> counts{0, 1, 1, 1, 1, 2, 2, 2, 3, 4};
@@ -162,6 +172,7 @@ HostileMesh hostile_mesh(unsigned seed, int vertices) {
     add_defect(mesh, static_cast<HostileDefect>(random.between(0, hostile_defect_count - 1)), random);
   }
   if (may_be_remeshed && random.one_in(2)) mesh = remeshed(std::move(mesh), random);
+  if (may_be_edited && random.one_in(4)) mesh = edited(std::move(mesh), random);
   return mesh;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "support/shapes.h"
@@ -75,6 +76,62 @@ enum class HostileDefect : std::uint8_t {
 };
 inline constexpr int hostile_defect_count = 25;
 
+/// All bases and defects, by their names in tables.
+inline constexpr std::array hostile_kinds{"grid",
+                                          "folded sheet",
+                                          "scan",
+                                          "extrusion",
+                                          "plate with many holes",
+                                          "pipe",
+                                          "fan of needles",
+                                          "soup of triangles",
+                                          "many components",
+                                          "gear",
+                                          "city of blocks",
+                                          "block with fillets",
+                                          "drilled plate",
+                                          "cylinder or cone",
+                                          "plate of strips",
+                                          "outliers",
+                                          "spikes",
+                                          "edges of no length",
+                                          "tiny edges",
+                                          "squashed",
+                                          "noise",
+                                          "rounded coordinates",
+                                          "graded",
+                                          "times 1e-20 to 1e20",
+                                          "far from the origin",
+                                          "second sheet",
+                                          "slit",
+                                          "fan of needles on an edge",
+                                          "points on edges",
+                                          "caps without area",
+                                          "T-junctions",
+                                          "flipped faces",
+                                          "repeated faces",
+                                          "more components",
+                                          "small copy",
+                                          "edges of three faces",
+                                          "joined vertices",
+                                          "isolated vertices",
+                                          "holes",
+                                          "random order",
+                                          "cut by planes",
+                                          "contracted edges",
+                                          "single precision",
+                                          "half taken away, capped",
+                                          "cut apart",
+                                          "decimated",
+                                          "merged vertices",
+                                          "another mesh in the same place",
+                                          "loops of one edge",
+                                          "georeferenced",
+                                          "subdivided in places"};
+/// Where the defects begin, in the order of HostileDefect; the bases come first, in that of HostileBase.
+inline constexpr std::size_t first_defect_kind = 15;
+static_assert(std::string_view(hostile_kinds[first_defect_kind]) == "outliers");
+
 /// A mesh and what it is, for messages.
 struct HostileMesh {
   Soup soup;
@@ -83,7 +140,10 @@ struct HostileMesh {
   /// Position of each vertex in the unrolled surface, NaN where unknown: the straight line is then the
   /// geodesic distance. Empty if the surface does not unroll (any more).
   std::vector<std::array<double, 2>> flat;
+  std::vector<std::size_t> kinds{};  ///< in hostile_kinds, each once
 
+  /// \pre The name is one of hostile_kinds.
+  void note_kind(std::string_view name);
   /// "a grid of 12 x 9 cells with 3 vertices 1e+07 edges away and 2 fins: 130 vertices, 238 faces"
   std::string sentence() const;
 };
@@ -98,9 +158,16 @@ HostileMesh machined_part(int vertices, HostileRandom& random);
 /// The mesh as programs leave it: cut by planes that nearly meet a vertex or each other, decimated, or in
 /// single precision.
 HostileMesh remeshed(HostileMesh mesh, HostileRandom& random);
+/// A part of CAD with fillets or holes, a cylinder of one or two faces for each side, or a plate of strips.
+HostileMesh cad_part(int vertices, HostileRandom& random);
+/// The mesh as users leave it: halved and capped, cut apart, decimated, subdivided or merged in places, with
+/// another one beside it, georeferenced in single precision, or with loops of one edge.
+HostileMesh edited(HostileMesh mesh, HostileRandom& random);
 
 /// Meshes of these seeds and above are also machined parts, and most are remeshed.
 inline constexpr unsigned first_remeshed_seed = 1'000'000'000;
+/// Those of these are also parts of CAD, and most are edited.
+inline constexpr unsigned first_edited_seed = 4'000'000'000;
 /// A base with none to four defects, all chosen by the seed. The size is between half and twice `vertices`.
 HostileMesh hostile_mesh(unsigned seed, int vertices);
 

@@ -40,6 +40,14 @@ inline Point moved(const Point& p, const Point& direction, double by) {
   return {p[0] + by * direction[0], p[1] + by * direction[1], p[2] + by * direction[2]};
 }
 
+inline double height_over(const Point& normal, const Point& p) {
+  return normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2];
+}
+/// Along an axis, or in any direction.
+Point random_normal(HostileRandom& random);
+/// Splits the faces that a plane crosses. \return by face, whether it lies above the plane.
+std::vector<std::uint8_t> cut_by_plane(HostileMesh& mesh, const Point& normal, double at);
+
 /// A vertex at the fraction `t` of the segment from a to b, also in the unrolled surface.
 Index add_vertex_between(HostileMesh& mesh, Index a, Index b, double t);
 /// A vertex anywhere, whose place in the unrolled surface is unknown.
@@ -52,6 +60,9 @@ std::string counted(std::size_t count, const std::string& noun);
 /// "1e+07", "0.25": short.
 std::string short_number(double value);
 
+/// Cuts ears off a polygon that is counter-clockwise in the plane of x and y; as coarse as caps of CAD
+/// programs.
+void add_cap(Soup& soup, std::vector<Index> outline, bool upwards);
 /// One closed or open scrap of a few faces at `centre`: triangle, tetrahedron or two-sided quad.
 void add_crumb(Soup& soup, const Point& centre, double size, HostileRandom& random);
 

@@ -66,6 +66,16 @@ TEST(GapBridges, ASoupWithRoundedPositionsIsJoinedSideBySide) {
   EXPECT_LE(difference(sphere, test::exploded(sphere, 1e-6), 1e-5).greatest, 60 * 2e-6);
 }
 
+TEST(GapBridges, VerticesOfOneFaceAtOnePlaceStayTwoSoThatTheThirdIsReached) {
+  // Two faces whose first edges have no length, and one that is whole: all meet at the origin.
+  const Soup soup{
+      {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 2, 0}, {0, 0, 0}, {0, 0, 3}, {3, 0, 3}},
+      {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}}};
+  const auto field = exact_distance_field(bridged(soup, 1e-9), std::array{Index{2}});
+  const std::array<double, 9> expected{1, 1, 0, 1, 1, 3, 1, 4, 1 + std::sqrt(18.0)};
+  for (std::size_t v = 0; v < expected.size(); ++v) EXPECT_NEAR(field[v], expected[v], 1e-12) << v;
+}
+
 TEST(GapBridges, ACrackThatIsOpenAtOneEndIsNoDetour) {
   // Two plates that only one bridge of faces joins, far from the source.
   test::Shape plates = test::two_plates(8, 8, 1e-4);
