@@ -228,9 +228,8 @@ TEST(IndexContract, BuildsEndOnExtrusionsFansAndSpikesWithRoundedCoordinates) {
     double delta = 0.0;
     Index patches = 0;  ///< in each layer; 0: chosen
   };
-  for (const Case& one :
-       {Case{703485, 2500}, Case{703485, 2500, 0.01}, Case{1001220, 2500}, Case{703856, 600},
-        Case{1010053, 2500}, Case{1003363, 600}, Case{370004788, 60, 0.0, 2}}) {
+  // As chosen by default: hostile_costs_test.cpp.
+  for (const Case& one : {Case{703485, 2500, 0.01}, Case{370004788, 60, 0.0, 2}}) {
     const auto mesh = test::make_mesh(test::hostile_mesh(one.seed, one.size).soup);
     IndexOptions options;
     options.delta = one.delta;

@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <optional>
 #include <random>
@@ -100,27 +101,55 @@ TEST(BuildFile, GoesOnAfterItWasCancelled) {
   }
 }
 
-TEST(BuildFile, GoesOnAfterKill) {
+/// VOROGEO_KILLS: how many, if not the usual six.
+int kill_count() {
+  const char* wanted = std::getenv("VOROGEO_KILLS");
+  return wanted == nullptr ? 6 : std::max(1, std::atoi(wanted));
+}
+
+TEST(BuildFile, GoesOnAfterKillAtAnyMoment) {
   const TemporaryFolder folder;
+  const auto file = folder / "a.vgi";
+  const auto unfinished = folder / "a.vgi.unfinished";
   const Soup soup = test::hills(50, 0.2);
   const IndexOptions options = options_of(5, 4);
-  std::mt19937 random(1);
-  bool left_something = false;
-  for (int kill = 0; kill < 6; ++kill) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::string whole = saved_bytes(soup, options);
+  const std::chrono::duration<double> whole_build = std::chrono::steady_clock::now() - start;
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> moment(0.0, 1.2);
+  int left_something = 0;
+  const int kills = kill_count();
+  for (int kill = 0; kill < kills; ++kill) {
     const pid_t child = ::fork();
     ASSERT_GE(child, 0);
     if (child == 0) {
-      building(folder / "a.vgi", soup, options);
+      building(file, soup, options);
       ::_exit(0);
     }
-    std::this_thread::sleep_for(std::chrono::milliseconds(20 + random() % 150));
+    std::this_thread::sleep_for(moment(random) * whole_build);
     ::kill(child, SIGKILL);
     ::waitpid(child, nullptr, 0);
-    left_something |= std::filesystem::exists(folder / "a.vgi.unfinished");
+    if (std::filesystem::exists(unfinished)) {
+      ++left_something;
+      // Complete, and killed before it was given its name; or refused.
+      ASSERT_TRUE(read_bytes(unfinished) == whole ||
+                  test::loading(unfinished, test::make_mesh(soup)) != "loaded");
+    }
+    // Every third build goes on to its end; what is there by then is complete.
+    if (kill % 3 == 2) {
+      ASSERT_EQ(building(file, soup, options), "built");
+    }
+    if (!std::filesystem::exists(file)) continue;
+    ASSERT_EQ(read_bytes(file), whole) << "after " << kill + 1 << " kills";
+    ASSERT_FALSE(kill % 3 == 2 && std::filesystem::exists(unfinished));
+    std::filesystem::remove(file);
   }
-  EXPECT_TRUE(left_something);
-  EXPECT_EQ(building(folder / "a.vgi", soup, options), "built");
-  EXPECT_EQ(read_bytes(folder / "a.vgi"), saved_bytes(soup, options));
+  EXPECT_TRUE(left_something > 0 || kills < 20);
+  EXPECT_EQ(building(file, soup, options), "built");
+  EXPECT_EQ(read_bytes(file), whole);
   EXPECT_EQ(folder.files(), (std::set<std::string>{"a.vgi"}));
 }
 
