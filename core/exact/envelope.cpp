@@ -19,7 +19,8 @@ namespace {
 constexpr double tie = 1e-12;
 /// Of positions, relative to the greatest on the part of an edge that is divided, or on a long edge to that
 /// of the pseudo-source: some units in the last place, as a ray that turns about a vertex crosses several
-/// edges.
+/// edges. Not where faces follow from lengths: these have no finer digits near the beginning of an edge, and
+/// a tube that their rounding twists would let a ray gain a unit with each round.
 constexpr double position_rounding = 2e-15;
 /// Relative error of a distance at which a crossing is accepted.
 constexpr double sharp = 1e-14;
@@ -109,7 +110,8 @@ double sign_change(const Window& fresh, const Window& old, double l, double r, b
 /// one by more than rounding in its middle or at an end: equal windows would otherwise replace each other
 /// forever.
 template <bool is_long>
-Division divide(const Window& fresh, const Window& old, double l, double r, double fresh_l, double fresh_r) {
+Division divide(const Window& fresh, const Window& old, double l, double r, double fresh_l, double fresh_r,
+                bool by_lengths) {
   const double old_l = old.distance(l);
   const double old_r = old.distance(r);
   auto gain = [&](double x, double at_old, double at_fresh) {
@@ -117,7 +119,7 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
   };
   // Beside a pseudo-source on the edge, distances are as small as the rounding of positions: rays that turn
   // about a vertex at the source would replace one another without end.
-  const double of_positions = position_rounding * (is_long ? std::abs(old.source_x) : r);
+  const double of_positions = position_rounding * (is_long && !by_lengths ? std::abs(old.source_x) : r);
   auto tie_at = [&](double at_old) {
     return tie * (is_long ? gain_scale(fresh, old, at_old) : at_old) + of_positions;
   };
@@ -259,8 +261,8 @@ void WindowEnvelope::divide_among(Window window, double at_begin, double at_end)
     }
     const double fresh_l = l == window.begin ? at_begin : window.distance(l);
     const double fresh_r = r == window.end ? at_end : window.distance(r);
-    Division division = is_long ? divide<true>(window, old, l, r, fresh_l, fresh_r)
-                                : divide<false>(window, old, l, r, fresh_l, fresh_r);
+    Division division = is_long ? divide<true>(window, old, l, r, fresh_l, fresh_r, by_lengths_)
+                                : divide<false>(window, old, l, r, fresh_l, fresh_r, by_lengths_);
     // An old window as long as the new one gives way to a wider piece beside it. Kept, it would cut the new
     // one in two; behind the next edge, its rays arrive elsewhere by rounding, leave a gap here and cut the
     // new one there: with each face, the windows would double. This ends: whatever is replaced, its place

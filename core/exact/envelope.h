@@ -82,7 +82,11 @@ struct FirstLeg {
 /// edges touched only.
 class WindowEnvelope {
  public:
-  void resize(std::size_t edges) { lists_.assign(edges, {}); }
+  /// `by_lengths`: faces follow from the lengths of their sides alone, not from positions.
+  void resize(std::size_t edges, bool by_lengths = false) {
+    lists_.assign(edges, {});
+    by_lengths_ = by_lengths;
+  }
 
   std::span<const Window> windows(Index edge) const {
     return {pool_.data() + lists_[edge].offset, lists_[edge].size};
@@ -247,6 +251,7 @@ class WindowEnvelope {
   std::array<std::vector<std::uint32_t>, 32> free_;  ///< offsets of unused blocks by size class
   std::vector<List> lists_;
   std::vector<Index> touched_;
+  bool by_lengths_ = false;
   Index open_ = no_index;
   bool changed_ = false;
   Sliver sliver_{};

@@ -13,8 +13,11 @@ namespace vorogeo {
 
 namespace {
 
-/// Widening of the sector into which a vertex emits, in radians.
-constexpr double sector_tolerance = 1e-6;
+/// Widening of the sector into which a vertex emits, in radians: where a path past a vertex and one through
+/// it tie, either may cut off the other, and their directions differ by as much as the root of twice that
+/// rounding. Beside edges a million times as long (ExactGeometry::long_beside_small), positions are rounded
+/// by 2e-10.
+constexpr double sector_tolerance = 2e-5;
 
 /// How far on the way to the nearest edge opposite the front has come when a flat vertex lights its sector.
 constexpr double before_next_edge = 0.99;
@@ -498,7 +501,14 @@ void ExactSolver::State::cross_face(Index halfedge) {
     const double outside = std::max(window.begin - item.to_apex, item.to_apex - window.end);
     const double known = vertices[frame.apex].distance;
     if (outside <= tolerance) {
-      const double distance = window.offset + std::sqrt(dx * dx + height * height);
+      // By way of the window's end: past it, where the tolerance is no small part of the face, a path would
+      // be shorter than there is one.
+      double distance = window.offset + std::sqrt(dx * dx + height * height);
+      if (outside > 0.0) {
+        const double end = std::clamp(item.to_apex, window.begin, window.end);
+        const double rest = frame.apex_x - end;
+        distance = window.distance(end) + std::sqrt(rest * rest + frame.apex_depth * frame.apex_depth);
+      }
       if (distance < known || is_in_place(window, halfedge))
         reach_apex(window, halfedge, distance, item.to_apex);
     } else if (const double straight = std::abs(dx) + height;

@@ -21,13 +21,16 @@ namespace vorogeo {
 /// a bucket that the queue has left: they come first.
 ///
 /// No item can be lost: a push that lowers the bucket of an item adds an entry with this bucket, an entry
-/// leaves only when it is taken, and it is passed over only if its bucket is not the item's any more, which
-/// then has another entry. None can be overtaken by lower_bound() or least_key(): the wheel never passes an
-/// entry, the heap has the late items with their true keys, and entries that are passed over can only make
-/// these bounds lower.
+/// leaves only when it is taken, and it is passed over only if its bucket, or its key in the heap, is not the
+/// item's any more, which then has another entry. None can be overtaken by lower_bound() or least_key(): the
+/// wheel never passes an entry, the heap has the late items with their true keys, and entries that are passed
+/// over can only make these bounds lower.
 class BucketQueue {
  public:
-  void resize(std::size_t count) { bucket_of_.assign(count, none); }
+  void resize(std::size_t count) {
+    bucket_of_.assign(count, none);
+    sorted_key_.clear();
+  }
 
   /// Empties the queue and sets the width of a bucket; any if it is 0.
   void reset(double width) {
@@ -54,8 +57,8 @@ class BucketQueue {
     const std::int32_t taken = is_current ? taken_in_current(known) : 0;
     if (taken == max_taken) returned_ = std::max(returned_, max_returned);
     if (is_late || (is_current && ++returned_ > max_returned)) {
-      sorted_.push_back({key, item});
-      std::push_heap(sorted_.begin(), sorted_.end());
+      if (known == bucket && !(key < sorted_key(item))) return;
+      add_sorted(item, key);
     } else {
       wheel_.add({bucket, item, taken});
     }
@@ -71,9 +74,11 @@ class BucketQueue {
         // No entry of the wheel has a lower key, or all that have are in later buckets.
         const Sorted first = sorted_.front();
         if (!(std::min(first.key, begin_of_current()) < limit)) return no_index;
+        const bool is_queued = is_queued_as(first);
         std::pop_heap(sorted_.begin(), sorted_.end());
         sorted_.pop_back();
-        if (bucket_of_[first.item] != bucket_at(first.key)) continue;
+        if (!is_queued) continue;
+        sorted_key_[first.item] = unreachable;
         bucket_of_[first.item] = not_queued(max_taken);
         lower_bound_ = std::min(first.key, least_in(wheel_.current()));
         return first.item;
@@ -87,6 +92,7 @@ class BucketQueue {
       if (!(begin_of_current() < limit)) return no_index;
       const Entry entry = wheel_.take();
       if (bucket_of_[entry.item] != entry.bucket) continue;
+      if (!sorted_key_.empty()) sorted_key_[entry.item] = unreachable;
       bucket_of_[entry.item] = not_queued(entry.taken + 1);
       lower_bound_ = least_in(wheel_.current());
       return entry.item;
@@ -98,7 +104,7 @@ class BucketQueue {
 
   /// A lower bound of all keys in the queue; infinity if it is empty.
   double least_key() {
-    while (!sorted_.empty() && bucket_of_[sorted_.front().item] != bucket_at(sorted_.front().key)) {
+    while (!sorted_.empty() && !is_queued_as(sorted_.front())) {
       std::pop_heap(sorted_.begin(), sorted_.end());
       sorted_.pop_back();
     }
@@ -108,12 +114,15 @@ class BucketQueue {
 
   std::size_t memory_bytes() const {
     return bucket_of_.capacity() * sizeof(std::int64_t) + wheel_.memory_bytes() +
-           sorted_.capacity() * sizeof(Sorted);
+           sorted_.capacity() * sizeof(Sorted) + sorted_key_.capacity() * sizeof(double);
   }
 
   void clear() {
     wheel_.clear([this](const Entry& entry) { bucket_of_[entry.item] = none; });
-    for (const Sorted& entry : sorted_) bucket_of_[entry.item] = none;
+    for (const Sorted& entry : sorted_) {
+      bucket_of_[entry.item] = none;
+      sorted_key_[entry.item] = unreachable;
+    }
     sorted_.clear();
     ++epoch_;
     returned_ = 0;
@@ -152,6 +161,20 @@ class BucketQueue {
     }
   };
 
+  /// The key with which an item is in the heap; infinity if it is not.
+  double sorted_key(Index item) const { return sorted_key_.empty() ? unreachable : sorted_key_[item]; }
+  void add_sorted(Index item, double key) {
+    if (sorted_key_.empty()) sorted_key_.assign(bucket_of_.size(), unreachable);
+    sorted_.push_back({key, item});
+    std::push_heap(sorted_.begin(), sorted_.end());
+    sorted_key_[item] = key;
+  }
+  /// Whether this is the entry by which its item is queued: one that was taken or has got a lower key since
+  /// has left others behind, which would take it before its time.
+  bool is_queued_as(const Sorted& entry) const {
+    return sorted_key_[entry.item] == entry.key && bucket_of_[entry.item] == bucket_at(entry.key);
+  }
+
   bool is_sorted() const { return returned_ > max_returned; }
   bool is_late(const Sorted& entry) const { return bucket_at(entry.key) < wheel_.current(); }
 
@@ -165,8 +188,9 @@ class BucketQueue {
   TimingWheel<Entry> wheel_;
   std::vector<Sorted>
       sorted_;  ///< a heap of late items and, where many returned to the current bucket, of these
-  std::size_t returned_ = 0;  ///< items pushed into the current bucket since it became current
-  std::int64_t epoch_ = 0;    ///< grows with each bucket that becomes current and each clearing
+  std::vector<double> sorted_key_;  ///< by item; empty until one is sorted
+  std::size_t returned_ = 0;        ///< items pushed into the current bucket since it became current
+  std::int64_t epoch_ = 0;          ///< grows with each bucket that becomes current and each clearing
   double lower_bound_ = 0.0;
   double per_width_ = 1.0;
   double width_ = 1.0;

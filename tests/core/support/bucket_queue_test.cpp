@@ -129,6 +129,26 @@ TEST(BucketQueue, OnceAnItemHasComeBackToItsBucketOthersThereAreTakenInTheOrderO
   }
 }
 
+TEST(BucketQueue, ASortedItemIsNotTakenByAKeyThatItHadBefore) {
+  BucketQueue queue;
+  queue.resize(4);
+  queue.reset(1.0);
+  queue.push(1, 3.0);
+  queue.push(0, 3.9);
+  EXPECT_EQ(queue.pop(), 0);
+  queue.push(0, 3.9);
+  EXPECT_EQ(queue.pop(), 0);
+  EXPECT_EQ(queue.pop(), 1);
+  queue.push(0, 3.3);  // from here on, in the order of the keys
+  queue.push(0, 3.2);
+  EXPECT_EQ(queue.pop(), 0);
+  queue.push(0, 3.6);
+  queue.push(2, 3.5);
+  EXPECT_EQ(queue.pop(), 2);
+  EXPECT_EQ(queue.pop(), 0);
+  EXPECT_EQ(queue.pop(), no_index);
+}
+
 TEST(BucketQueue, KeysOfAllScalesCostAConstantEach) {
   // 1e5 keys over 21 orders of magnitude: stepping from bucket to bucket, or examining all later items for
   // each of them, would take hours.
