@@ -266,8 +266,8 @@ double wanted_entries(const Mesh& mesh, const Partition& partition) {
 
 namespace {
 
-/// With more patches than this, some ten thousand vertices, an exact run takes over a tenth of a second.
-constexpr Index few_patches = 24;
+/// With more vertices than this, an exact run takes over a tenth of a second.
+constexpr Index few_vertices = 10000;
 /// Of the entries that tables should have at most: with fewer, another partition would save little.
 constexpr double many_entries = 0.55;
 /// Another partition has to have fewer than this part of the entries of the usual one.
@@ -280,7 +280,7 @@ Partition partition_for_index(const Mesh& mesh, const PartitionOptions& options,
   if (!is_automatic) return make_partition(mesh, options, progress);
   Partition usual = make_partition(mesh, options, progress.part(0.0, 0.5));
   const std::vector<BorderEdge> borders = border_edges(mesh, usual);
-  const double most = usual.second_layer_count <= few_patches ? 1.0 : hopeless_entries;
+  const double most = mesh.vertex_count() <= few_vertices ? 1.0 : hopeless_entries;
   // Where the metric jumps, runs over whole components take too long for pairs.
   if (!mesh.metric_jumps() && expected_entries(mesh, usual, borders, longest_pieces(mesh)) > most) {
     return make_partition(mesh, {1, 1, options.seed, options.threads}, progress.part(0.5, 1.0));

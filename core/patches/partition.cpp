@@ -122,24 +122,22 @@ namespace {
 
 /// How large patches are.
 struct PatchSizes {
-  /// Vertices of a second-layer patch. Larger patches mean fewer crossings, but build time and table size
-  /// grow with the square root of this number.
+  /// Vertices of a second-layer patch. Smaller patches make build and answers faster, larger ones take fewer
+  /// bytes, and fewer crossings.
   double second_layer_vertices;
   /// Second-layer patches that a first-layer patch has at least, which counts on small meshes.
   double least_patches_per_parent;
 };
-constexpr PatchSizes usual_sizes{350.0, 2.0};
+constexpr PatchSizes usual_sizes{150.0, 8.0};
 /// On coarse meshes a crossing costs more accuracy, and fewer of them pay for the closer points on borders.
-constexpr PatchSizes coarse_sizes{450.0, 5.0};
+constexpr PatchSizes coarse_sizes{350.0, 5.0};
 /// First-layer patches of a mesh of up to `ordinary_vertices`: the table of all first-layer border vertices
 /// takes some 11 bytes per vertex and first-layer patch, whatever the size of the mesh.
-constexpr double ordinary_patches = 16.0;
-/// Second-layer patches in each of these, up to which the tables of the first layer are not the larger part.
-constexpr double ordinary_patches_per_parent = 24.0;
-/// On larger meshes the number of first-layer patches grows with the cube root of the mesh: then that table
-/// and the first-layer tables grow alike, by the cube root per vertex.
-constexpr double ordinary_vertices =
-    ordinary_patches * ordinary_patches_per_parent * usual_sizes.second_layer_vertices;
+constexpr double ordinary_patches = 24.0;
+/// Up to here the tables of the first layer are not the larger part. On larger meshes the number of
+/// first-layer patches grows with the cube root of the mesh: then that table and the first-layer tables grow
+/// alike, by the cube root per vertex.
+constexpr double ordinary_vertices = 450000.0;
 /// Mean angle defect, in radians, from which on a mesh is coarse: its edges are long for the shape of its
 /// surface. Scans have 0.006 to 0.035, simplified ones 0.04 to 0.09, CAD parts and buildings up to 0.4.
 constexpr double coarse_defect = 0.04;
@@ -152,6 +150,7 @@ Index rounded(double value) { return static_cast<Index>(std::max(1.0, std::round
 
 /// Number of first-layer patches that suits a mesh of this many vertices.
 Index first_layer_count(double vertices, const PatchSizes& sizes, const PartitionOptions& options) {
+  if (options.first_layer_patches) return options.first_layer_patches;
   if (options.second_layer_patches) {
     return rounded(vertices / (options.second_layer_patches * sizes.second_layer_vertices));
   }
@@ -181,7 +180,6 @@ void check_patches(const char* which, Index requested, Index faces) {
 double first_layer_growth(double vertices) { return std::cbrt(std::max(1.0, vertices / ordinary_vertices)); }
 
 Index planned_first_layer(const Mesh& mesh, double vertices, const PartitionOptions& options) {
-  if (options.first_layer_patches) return options.first_layer_patches;
   return first_layer_count(vertices, sizes_for(mesh), options);
 }
 
@@ -201,7 +199,7 @@ Partition make_partition(const Mesh& mesh, const PartitionOptions& options, cons
   }
   const auto vertices = static_cast<double>(all_vertices.size());
   const PatchSizes& sizes = sizes_for(mesh);
-  const Index first_count = planned_first_layer(mesh, vertices, options);
+  const Index first_count = first_layer_count(vertices, sizes, options);
   const double faces_per_patch =
       options.second_layer_patches
           ? static_cast<double>(faces) / (static_cast<double>(first_count) * options.second_layer_patches)

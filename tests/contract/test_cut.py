@@ -166,7 +166,7 @@ def test_a_disk_of_almost_no_radius_has_almost_no_area() -> None:
 def test_sets_are_as_far_apart_as_their_points() -> None:
     shape = table.named("plane")
     first, second = shape.sources[:2], shape.sources[2:]
-    found = ask.surface(shape).set_distances(first, second)
+    found = ask.task("set_distances", "exact", shape, first, second)
     expected = shape.between(shape.vertices[first], shape.vertices[second])
     np.testing.assert_allclose(found.to_second, expected.min(axis=1), rtol=1e-9)
     np.testing.assert_allclose(found.to_first, expected.min(axis=0), rtol=1e-9)

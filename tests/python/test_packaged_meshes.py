@@ -38,13 +38,19 @@ def errors_in_percent(mesh: Mesh, sources: int = 6) -> np.ndarray:
     return np.concatenate(errors)
 
 
-@pytest.mark.parametrize("name", ["airplane.ply", "ant.ply", "nut.ply"])
+@pytest.mark.parametrize("name", ["ant.ply", "nut.ply"])
 def test_fields_of_one_patch_are_exact(name):
     assert errors_in_percent(of_pyvista(name)).max(initial=0.0) <= 1e-7
 
 
+def test_thin_parts_of_an_airplane():
+    errors = errors_in_percent(of_pyvista("airplane.ply"))
+    assert errors.mean() <= 2 * 0.0011
+    assert errors.max() <= 2 * 0.04
+
+
 def test_folds_of_a_cortex():
     errors = errors_in_percent(back_of_a_cortex())
-    assert errors.mean() <= 2 * 0.0107
-    assert np.quantile(errors, 0.99) <= 2 * 0.146
-    assert errors.max() <= 2 * 0.41
+    assert errors.mean() <= 2 * 0.0144
+    assert np.quantile(errors, 0.99) <= 2 * 0.089
+    assert errors.max() <= 2 * 0.26

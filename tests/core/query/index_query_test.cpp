@@ -125,29 +125,29 @@ void expect_accurate(HostileBase base, const Documented& documented) {
 // A clone alone has these: CAD parts, needles, a city, a coarse sphere, and the bases of hostile meshes,
 // rough, with long thin faces, of high genus (docs/figures.md).
 TEST(IndexQueryAccuracy, DrilledPlate) {
-  expect_accurate(test::drilled_plate(6, 6, 0.6, 1), {0.0060, 0.069, 0.32}, 6);
+  expect_accurate(test::drilled_plate(6, 6, 0.6, 1), {0.0069, 0.055, 0.18}, 6);
 }
 TEST(IndexQueryAccuracy, PlateWithDeepHoles) {
-  expect_accurate(test::drilled_plate(8, 8, 3.0, 2), {0.0207, 0.125, 1.02}, 4);
+  expect_accurate(test::drilled_plate(8, 8, 3.0, 2), {0.0165, 0.122, 0.51}, 4);
 }
 TEST(IndexQueryAccuracy, Gear) { expect_accurate(test::gear(40, 16, 8.0), {1e-7, 1e-7, 1e-7}, 6); }
 TEST(IndexQueryAccuracy, CoarseSphere) {
-  expect_accurate(test::random_sphere(1500, 2), {0.0205, 0.144, 0.49}, 6);
+  expect_accurate(test::random_sphere(1500, 2), {0.0160, 0.069, 0.19}, 6);
 }
 TEST(IndexQueryAccuracy, BlockCity) {
-  expect_accurate(test::block_city(20, 20, 1), {0.0065, 0.071, 0.22}, 6);
+  expect_accurate(test::block_city(20, 20, 1), {0.0037, 0.039, 0.14}, 6);
 }
-TEST(IndexQueryAccuracy, RoughScan) { expect_accurate(HostileBase::scan, {0.0083, 0.059, 0.46}); }
-TEST(IndexQueryAccuracy, CoarseExtrusion) { expect_accurate(HostileBase::extrusion, {0.0031, 0.079, 0.16}); }
-TEST(IndexQueryAccuracy, PlateOfHighGenus) { expect_accurate(HostileBase::plate, {0.0036, 0.047, 0.17}); }
-TEST(IndexQueryAccuracy, FanOfNeedles) { expect_accurate(HostileBase::fan, {0.0021, 0.054, 0.14}); }
+TEST(IndexQueryAccuracy, RoughScan) { expect_accurate(HostileBase::scan, {0.0061, 0.050, 0.19}); }
+TEST(IndexQueryAccuracy, CoarseExtrusion) { expect_accurate(HostileBase::extrusion, {0.0053, 0.126, 0.33}); }
+TEST(IndexQueryAccuracy, PlateOfHighGenus) { expect_accurate(HostileBase::plate, {0.0054, 0.056, 0.16}); }
+TEST(IndexQueryAccuracy, FanOfNeedles) { expect_accurate(HostileBase::fan, {0.0022, 0.054, 0.13}); }
 
 // Real meshes, if they are next to the repository: docs/figures.md.
-TEST(IndexQueryAccuracy, Spot) { expect_accurate("spot", {0.0066, 0.059, 0.34}); }
-TEST(IndexQueryAccuracy, Fandisk) { expect_accurate("fandisk", {0.0123, 0.096, 1.25}); }
-TEST(IndexQueryAccuracy, RockerArm) { expect_accurate("rocker_arm", {0.0142, 0.093, 0.55}); }
-TEST(IndexQueryAccuracy, Casting) { expect_accurate("casting", {0.011, 0.105, 0.93}); }
-TEST(IndexQueryAccuracy, Gears) { expect_accurate("gears", {0.0544, 0.609, 0.82}); }
+TEST(IndexQueryAccuracy, Spot) { expect_accurate("spot", {0.0091, 0.095, 0.27}); }
+TEST(IndexQueryAccuracy, Fandisk) { expect_accurate("fandisk", {0.0078, 0.070, 0.39}); }
+TEST(IndexQueryAccuracy, RockerArm) { expect_accurate("rocker_arm", {0.0080, 0.056, 0.28}); }
+TEST(IndexQueryAccuracy, Casting) { expect_accurate("casting", {0.0097, 0.122, 1.21}); }
+TEST(IndexQueryAccuracy, Gears) { expect_accurate("gears", {0.0021, 0.025, 0.11}); }
 
 TEST(IndexQueryAccuracy, PairsInTouchingPatchesAreExact) {
   for (const Soup& soup : {test::icosphere(4), test::hills(40, 0.15), test::torus(60, 30, 2.0, 0.8)}) {
