@@ -5,8 +5,8 @@
 #   By default what a change needs before it lands: C++ and Python with the newest PyMeshLab, hostile meshes, and the contract,
 #   kernels and files under sanitizers; some 15 minutes on two cores after set-up.
 #   --quick: C++, Python and the newest PyMeshLab alone; some 3 minutes.
-#   --all: also older PyMeshLab versions, the core for arm64 and with libc++, all wheels, recipes, long fuzzing, and the real
-#     window of MeshLab in both versions. What needs the rights of root (and some 10 GB) is skipped where it cannot be run, with
+#   --all: also older PyMeshLab versions, the core for arm64 and with libc++, all wheels, recipes, peers' own tests, long fuzzing,
+#     and the real window of MeshLab in both versions. What needs the rights of root (and some 10 GB) is skipped where it cannot be run, with
 #     the reason.
 # Needs no terminal and may be run as often as you like; what is built is not built again. Logs and results lie in
 # build/test-results. VOROGEO_FUZZ_SECONDS: how long the fuzzer of index files runs (20, with --all 300); that of meshes runs a
@@ -267,6 +267,7 @@ if [ "$all" = yes ]; then
   rooted_suite wheels tests/wheels/run.sh
   rooted_suite windows tests/wheels/windows.sh -- "--junitxml=$results/windows.xml"
   rooted_suite aarch64 tests/wheels/aarch64.sh
+  rooted_suite "own tests of peers" tests/peers/run.sh
   check "source archive and recipes" packaging/check.sh
   rooted_suite debian packaging/build_debian.sh
 else

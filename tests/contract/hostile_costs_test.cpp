@@ -146,6 +146,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, CostContract,
 
 /// These seeds once erred by 31 % in a field, and by .9 % between two points, at single vertices.
 TEST(IndexContract, FieldsOfAnIndexErrByAPercentAtMostOnSeedsThatErredByAThird) {
+  VOROGEO_HEAVY_TEST();
   for (const auto& [seed, size] : {std::pair{1004843U, 2500}, std::pair{1004702U, 60}}) {
     const auto mesh = test::make_mesh(test::hostile_mesh(seed, size).soup);
     test::IndexQuery query(GeodesicIndex::build(mesh, {}), 1);

@@ -1,0 +1,3 @@
+"""What pygeodesic's own tests import, answered by vorogeo."""
+
+__version__ = "0"
