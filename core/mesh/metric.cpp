@@ -630,25 +630,26 @@ Point upwards_of(const Point& up) {
   throw InvalidInput("The direction upwards has no length; give a vector such as (0, 0, 1).");
 }
 
+Point along_face(std::span<const Point> positions, const std::array<Index, 3>& face, const Point& vector) {
+  const Point normal = unit_of(face_normal(positions, face));
+  if (dot(normal, normal) > 0.5) return moved(vector, -dot(vector, normal), normal);
+  Point longest{};
+  for (int i = 0; i < 3; ++i) {
+    const Point side = minus(positions[face[(i + 1) % 3]], positions[face[i]]);
+    if (length_of(side) > length_of(longest)) longest = side;
+  }
+  const Point direction = unit_of(longest);
+  return moved(Point{}, dot(vector, direction), direction);
+}
+
 std::vector<double> grades_of(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
                               const Point& up) {
   const Point upwards = upwards_of(up);
   std::vector<double> grades;
   grades.reserve(faces.size());
   for (const auto& face : faces) {
-    const Point normal = unit_of(face_normal(positions, face));
-    if (dot(normal, normal) > 0.5) {
-      grades.push_back(length_of(cross(normal, upwards)) / std::abs(dot(normal, upwards)));
-      continue;
-    }
-    Point longest{};
-    for (int i = 0; i < 3; ++i) {
-      const Point side = minus(positions[face[(i + 1) % 3]], positions[face[i]]);
-      if (length_of(side) > length_of(longest)) longest = side;
-    }
-    const double level = length_of(cross(longest, upwards));
-    const double rise = std::abs(dot(longest, upwards));
-    grades.push_back(rise > 0.0 ? rise / level : 0.0);
+    const Point rise = along_face(positions, face, upwards);
+    grades.push_back(length_of(rise) / length_of(minus(upwards, rise)));
   }
   return grades;
 }

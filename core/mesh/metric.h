@@ -55,6 +55,9 @@ SideLengths drifts_by_face(std::span<const Point> positions, std::span<const std
 /// A direction upwards, of length 1. \throw InvalidInput for one of length 0.
 Point upwards_of(const Point& up);
 
+/// The part of a vector along a face; along its longest side if it has no area.
+Point along_face(std::span<const Point> positions, const std::array<Index, 3>& face, const Point& vector);
+
 /// A cost for each vertex that grows with the slope: 1 + penalty * sin(angle between the surface and the
 /// level), so 1 on level ground and 1 + penalty on a wall. The same uphill, downhill and along the slope.
 /// \throw InvalidInput for a penalty below 0 or not finite, or a direction of length 0.

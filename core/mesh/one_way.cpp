@@ -15,20 +15,6 @@ namespace vorogeo {
 
 namespace {
 
-/// The part of a vector along a face; along its longest side if it has no area.
-Point along_face(std::span<const Point> positions, const std::array<Index, 3>& face, const Point& vector) {
-  const Point& origin = positions[face[0]];
-  const Point one = minus(positions[face[1]], origin), other = minus(positions[face[2]], origin);
-  const Point normal = cross(one, other);
-  const double area = dot(normal, normal);
-  if (area > 0.0) return moved(vector, -dot(vector, normal) / area, normal);
-  const Point third = minus(other, one);
-  const Point longest =
-      std::ranges::max({one, other, third}, {}, [](const Point& side) { return dot(side, side); });
-  const double squared = dot(longest, longest);
-  return squared > 0.0 ? moved(Point{}, dot(vector, longest) / squared, longest) : Point{};
-}
-
 /// identity * I + along * d d'.
 Tensor tensor_of(double identity, double along, const Point& d) {
   Tensor tensor{};

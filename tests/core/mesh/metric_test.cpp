@@ -16,6 +16,7 @@
 #include "mesh/fingerprint.h"
 #include "mesh/mesh.h"
 #include "mesh/mesh_input.h"
+#include "mesh/one_way.h"
 #include "mesh/vectors.h"
 #include "support/error.h"
 #include "support/refusal.h"
@@ -456,6 +457,27 @@ TEST(InputMap, TakesPointsValuesAndEdgesInAndOut) {
     }
     const auto [a, b, c] = grid.faces[f];
     EXPECT_NEAR(length, distance_between(grid.positions[a], grid.positions[b]), 1e-14);
+  }
+}
+
+TEST(OneWay, WindsAndGradesAreTheSameAtAnySize) {
+  // A face that rises by one half along x, and one without area along y.
+  const std::vector<std::array<Index, 3>> faces{{0, 1, 2}, {0, 2, 3}};
+  const std::vector<Point> wind(2, {0.3, 0.2, -0.1});
+  const std::vector<double> speed(2, 1.0);
+  // The wind less its part along the normal (-1, 0, 2), and its part along y.
+  const double across = dot(wind[0], {-1, 0, 2}) / 5.0;
+  const std::array expected{Point{0.3 + across, 0.2, -0.1 - 2.0 * across}, Point{0.0, 0.2, 0.0}};
+  for (const double size : {1.0, 1e-100, 1e100}) {
+    const std::vector<Point> positions{{0, 0, 0}, {2 * size, 0, size}, {0, size, 0}, {0, 2 * size, 0}};
+    const Randers randers = travel_time(positions, faces, wind, speed);
+    for (int f = 0; f < 2; ++f) {
+      const double left = 1.0 - dot(expected[f], expected[f]);
+      for (int i = 0; i < 3; ++i) EXPECT_NEAR(randers.drifts[f][i], -expected[f][i] / left, 1e-14);
+    }
+    const std::vector<double> grades = grades_of(positions, faces, {0, 0, 1});
+    EXPECT_NEAR(grades[0], 0.5, 1e-14);
+    EXPECT_EQ(grades[1], 0.0);
   }
 }
 
