@@ -17,12 +17,13 @@ namespace {
 /// late, shorter ones make threads wait for one another more often.
 constexpr double least_step = 2.0;
 
-/// Items of a solver in one step below which steps become longer.
-constexpr std::size_t few_items = 64;
+/// Windows that a solver makes in one step below which steps become longer.
+constexpr std::size_t few_windows = 64;
 
-/// Items of a solver in one step at most. Where those that the others have for it are nearer than all it
-/// has, a solver without them may follow windows around a thin part, turn by turn, as long as the step.
-constexpr std::size_t most_items = 1 << 12;
+/// Windows that a solver makes in one step at most, a little more than on a scan. Where those that the others
+/// have for it are nearer than all it has, a solver without them may follow windows around a thin part, turn
+/// by turn, as long as the step, and more of them at each turn.
+constexpr std::size_t most_windows = 1 << 14;
 
 /// How often a thread looks whether the others have finished the step before it goes to sleep.
 constexpr int looks = 200;
@@ -33,7 +34,7 @@ SharedRun::SharedRun(std::shared_ptr<const ExactGeometry> geometry, int solvers)
     : territories_(*geometry->mesh, solvers), next_step_(solvers) {
   others_.resize(solvers - 1);
   handed_.assign(solvers, std::vector<Outbox>(solvers));
-  taken_.resize(solvers);
+  made_.resize(solvers);
   parallel_for(others_.size(), solvers - 1, {}, "",
                [&](std::size_t i, int) { others_[i] = std::make_unique<ExactSolver::State>(geometry); });
 }
@@ -60,7 +61,7 @@ void SharedRun::prepare(ExactSolver::State& first) {
   for (auto& from : handed_) {
     for (Outbox& outbox : from) outbox.clear();
   }
-  std::fill(taken_.begin(), taken_.end(), 0);
+  std::fill(made_.begin(), made_.end(), 0);
   least_step_length_ = least_step * first.queue.width();
   step_length_ = least_step_length_;
   end_of_step_ = 0.0;
@@ -119,14 +120,13 @@ void SharedRun::work(int own, Watch* watch) {
 void SharedRun::take_step(int solver) {
   ExactSolver::State& state = *all_[solver];
   for (const auto& from : handed_) state.take_in(from[solver]);
-  std::size_t items = 0;
-  while (items < most_items) {
+  const std::size_t made_before = state.envelope.made();
+  while (state.envelope.made() - made_before < most_windows) {
     const Index item = state.queue.pop(end_of_step_);
     if (item == no_index) break;
     state.take(item, front_);
-    ++items;
   }
-  taken_[solver] = items;
+  made_[solver] = state.envelope.made() - made_before;
 }
 
 void SharedRun::begin_next_step() {
@@ -144,11 +144,11 @@ void SharedRun::begin_next_step() {
     announce_step();
     return;
   }
-  const std::size_t items = *std::max_element(taken_.begin(), taken_.end());
-  step_length_ = items < few_items ? 2.0 * step_length_ : std::max(least_step_length_, 0.5 * step_length_);
+  const std::size_t made = *std::max_element(made_.begin(), made_.end());
+  step_length_ = made < few_windows ? 2.0 * step_length_ : std::max(least_step_length_, 0.5 * step_length_);
   front_ = front;
   // After a step that was cut off, the others must not run ahead of what was left.
-  end_of_step_ = (items < most_items ? std::max(end_of_step_, front) : front) + step_length_;
+  end_of_step_ = (made < most_windows ? std::max(end_of_step_, front) : front) + step_length_;
   std::size_t reached = 0;
   for (const auto* state : all_) reached += state->touched_vertices.size();
   reached_ = std::min(1.0, static_cast<double>(reached) / all_.front()->mesh.vertex_count());

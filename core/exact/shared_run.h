@@ -55,8 +55,8 @@ class SharedRun {
   std::vector<ExactSolver::State*> all_;
   /// What was handed on in the step before: by sender, by receiver.
   std::vector<std::vector<Outbox>> handed_;
-  std::vector<std::size_t> taken_;  ///< items of this step by solver
-  double front_ = 0.0;              ///< no distance below it is still to be propagated
+  std::vector<std::size_t> made_;  ///< windows in this step, by solver
+  double front_ = 0.0;             ///< no distance below it is still to be propagated
   double end_of_step_ = 0.0;
   double step_length_ = 0.0;
   double least_step_length_ = 0.0;    ///< positive
