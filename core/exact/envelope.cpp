@@ -120,8 +120,11 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
   // Beside a pseudo-source on the edge, distances are as small as the rounding of positions: rays that turn
   // about a vertex at the source would replace one another without end.
   const double of_positions = position_rounding * (is_long && !by_lengths ? std::abs(old.source_x) : r);
+  // A window that bends earlier, or nowhere, is wider behind each edge than what bends beside its rays: kept
+  // in its place, that would leave open what only these rays see.
+  const double of_distances = fresh.offset < old.offset ? sharp : tie;
   auto tie_at = [&](double at_old) {
-    return tie * (is_long ? gain_scale(fresh, old, at_old) : at_old) + of_positions;
+    return of_distances * (is_long ? gain_scale(fresh, old, at_old) : at_old) + of_positions;
   };
   const double gain_l = gain(l, old_l, fresh_l);
   const double gain_r = gain(r, old_r, fresh_r);

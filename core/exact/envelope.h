@@ -44,11 +44,15 @@ struct Window {
   double least_distance() const { return distance(std::clamp(source_x, begin, end)); }
 };
 
-/// Where a vertex at distance `from_vertex` overtakes a window: x with from_vertex + x = window.distance(x).
-/// Positions count from that vertex; the caller knows that there is such a point.
+/// Where a vertex at distance `from_vertex` overtakes a window: x with from_vertex + x = window.distance(x),
+/// up to which the vertex is nearer; infinity if it is everywhere. Positions count from that vertex. Found
+/// from the pseudo-source alone: far along the edge both distances have the same digits, yet behind the edge
+/// the window may see all that the vertex leaves in shadow.
 inline double vertex_takeover(double from_vertex, double offset, double source_x, double source_y) {
   const double k = from_vertex - offset;
-  return (source_x * source_x + source_y * source_y - k * k) / (2.0 * (k + source_x));
+  const double ahead = k + source_x;
+  if (!(ahead > 0.0)) return unreachable;
+  return (source_x * source_x + source_y * source_y - k * k) / (2.0 * ahead);
 }
 
 /// The angle at the source at which paths through a window begin, as the window carries it: the angle itself

@@ -333,16 +333,16 @@ void ExactSolver::State::store_edge() {
 bool ExactSolver::State::cut_at_ends(Window& window, double& at_begin, double& at_end) const {
   // Xin, Wang 2009, section 4.
   if (from_first + window.begin < at_begin) {
-    if (from_first + window.end <= at_end) return false;
-    window.begin = std::clamp(vertex_takeover(from_first, window.offset, window.source_x, window.source_y),
-                              window.begin, window.end);
+    const double place = vertex_takeover(from_first, window.offset, window.source_x, window.source_y);
+    if (place >= window.end) return false;
+    window.begin = std::max(place, window.begin);
     at_begin = window.distance(window.begin);
   }
   if (from_second + (open_length - window.end) < at_end) {
-    if (from_second + (open_length - window.begin) <= at_begin) return false;
-    window.end = std::clamp(open_length - vertex_takeover(from_second, window.offset,
-                                                          open_length - window.source_x, window.source_y),
-                            window.begin, window.end);
+    const double place = open_length - vertex_takeover(from_second, window.offset,
+                                                       open_length - window.source_x, window.source_y);
+    if (place <= window.begin) return false;
+    window.end = std::min(place, window.end);
     at_end = window.distance(window.end);
   }
   return true;

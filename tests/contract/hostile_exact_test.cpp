@@ -5,9 +5,11 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <random>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "exact/exact_solver.h"
@@ -15,6 +17,7 @@
 #include "mesh/metric.h"
 #include "query/path_query.h"
 #include "support/hostile_meshes.h"
+#include "support/hostile_parts.h"
 #include "support/indexes.h"
 #include "support/ply.h"
 #include "support/shapes.h"
@@ -172,6 +175,49 @@ TEST(ExactFieldContract, FacesDividedInFourHaveTheSameDistances) {
     for (Index v = 0; v < whole->vertex_count(); ++v) {
       if (expected[v] == unreachable) continue;
       EXPECT_NEAR(field[v], expected[v], slack(*whole, expected[v]) + 1e-14 * farthest) << seed << ", " << v;
+    }
+  }
+}
+
+TEST(ExactFieldContract, WhatUnrollsHasStraightLines) {
+  // Plates of strips a hair wide, whose vertices are so close together that paths through them tie with the
+  // straight one.
+  for (const auto& [seed, size, sources, targets] :
+       {Seed{4207840001, 4000, {3670}, {363}}, Seed{4150000120, 2500, {1630}, {2252, 2660}}}) {
+    const auto [soup, flat] = [&] {
+      test::HostileMesh hostile = test::hostile_mesh(seed, size);
+      return std::pair{std::move(hostile.soup), std::move(hostile.flat)};
+    }();
+    const auto mesh = test::make_mesh(soup);
+    const std::vector<double> field = exact_distance_field(mesh, sources);
+    const auto& from = flat[sources[0]];
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      if (field[v] == unreachable || std::isnan(flat[v][0])) continue;
+      const double straight = std::hypot(flat[v][0] - from[0], flat[v][1] - from[1]);
+      EXPECT_NEAR(field[v], straight, slack(*mesh, straight)) << seed << ", " << v;
+    }
+  }
+}
+
+TEST(ExactFieldContract, VerticesInAnyOrderHaveTheSameDistances) {
+  const unsigned random_seed = std::random_device{}();
+  SCOPED_TRACE("seed " + std::to_string(random_seed));
+  std::mt19937 random(random_seed);
+  // A source on top of a vertex: its rays that pass beside that one hardly leave the long edges there.
+  const test::Soup soup = test::hostile_mesh(4000001412, 60).soup;
+  const auto mesh = test::make_mesh(soup);
+  const std::vector<double> expected = exact_distance_field(mesh, std::array{Index{91}});
+  const double tight = test::SubdividedGraph(soup, 91, 3).tightened(16);
+  EXPECT_NEAR(expected[16], tight, slack(*mesh, tight));
+  std::vector<Index> place(soup.positions.size());
+  std::iota(place.begin(), place.end(), 0);
+  for (int i = 0; i < 20; ++i) {
+    std::ranges::shuffle(place, random);
+    const auto other = test::make_mesh(test::renumbered(soup, place));
+    const std::vector<double> field = exact_distance_field(other, std::array{place[91]});
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      if (expected[v] == unreachable) continue;
+      EXPECT_NEAR(field[place[v]], expected[v], slack(*mesh, expected[v])) << v;
     }
   }
 }

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/heavy.h"
@@ -220,6 +221,25 @@ TEST(WindowEnvelope, EqualAtOneEndEachKeepsWhereItIsShorter) {
             << "x " << x << (swapped ? " swapped" : "") << (mirrored ? " mirrored" : "");
       }
     }
+  }
+}
+
+TEST(WindowEnvelope, WhatBendsEarlierTakesItsPlaceFromWhatTiesWithIt) {
+  // A point at distance 15, and a vertex on the way there: beside the ray through both, the way by the vertex
+  // is longer by the square of that over 15, less than the tolerance.
+  const Window straight = window(5e-6, 1e-5, 0.0, 15.0, 0.0, 0);
+  const Window bent = window(0.0, 1.0, 0.0, 5.0, 10.0, 1);
+  WindowEnvelope envelope;
+  envelope.resize(1);
+  for (const auto& [first, second] : {std::pair{straight, bent}, std::pair{bent, straight}}) {
+    envelope.clear();
+    insert(envelope, 0, first);
+    insert(envelope, 0, second);
+    const auto list = windows_of(envelope, 0);
+    ASSERT_EQ(list.size(), 3U);
+    EXPECT_EQ(list[1].source, 0);
+    EXPECT_EQ(list[1].begin, 5e-6);
+    EXPECT_EQ(list[1].end, 1e-5);
   }
 }
 

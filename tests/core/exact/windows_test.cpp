@@ -37,6 +37,18 @@ TEST(Window, AVertexOvertakesWhereBothAreEquallyFar) {
   }
 }
 
+TEST(Window, AVertexOvertakesNothingOfWhatSeesTheSourceThatItSees) {
+  // Up to rounding, although far along the edge the distance by way of the vertex has the same digits.
+  for (const double slope : {1e-1, 1e-3, 1e-5, 1e-7}) {
+    const double behind = 6e-10;
+    const double across = slope * behind;
+    EXPECT_LE(vertex_takeover(std::hypot(behind, across), 0.0, -behind, across), 1e-6 * behind / slope)
+        << slope;
+  }
+  // What comes along the edge itself is overtaken all along.
+  EXPECT_EQ(vertex_takeover(0.5, 0.0, -0.5, 0.0), unreachable);
+}
+
 // Windows across faces of every shape: in a plane all distances are straight lines.
 
 TEST(Propagation, AcrossNeedlesOfAnyThinnessInAPlane) {
