@@ -91,8 +91,8 @@ double NearSaddles::piece_factor(Index edge, double size) const {
 namespace {
 
 /// Longest border edge as a fraction of the square root of the area of the smaller adjacent patch. A round
-/// patch of a regular mesh with 350 vertices has 0.06.
-constexpr double longest_border_edge = 0.1;
+/// patch of a regular mesh with 150 vertices has 0.09.
+constexpr double longest_border_edge = 0.15;
 /// No limit on their length is shorter than this.
 constexpr double finest_border_edge = 0.03;
 /// Between these, the fraction times the root of the mesh's mean angle defect.

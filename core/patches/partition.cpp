@@ -133,11 +133,11 @@ constexpr PatchSizes usual_sizes{150.0, 8.0};
 constexpr PatchSizes coarse_sizes{350.0, 5.0};
 /// First-layer patches of a mesh of up to `ordinary_vertices`: the table of all first-layer border vertices
 /// takes some 11 bytes per vertex and first-layer patch, whatever the size of the mesh.
-constexpr double ordinary_patches = 24.0;
+constexpr double ordinary_patches = 16.0;
 /// Up to here the tables of the first layer are not the larger part. On larger meshes the number of
 /// first-layer patches grows with the cube root of the mesh: then that table and the first-layer tables grow
 /// alike, by the cube root per vertex.
-constexpr double ordinary_vertices = 450000.0;
+constexpr double ordinary_vertices = 134400.0;
 /// Mean angle defect, in radians, from which on a mesh is coarse: its edges are long for the shape of its
 /// surface. Scans have 0.006 to 0.035, simplified ones 0.04 to 0.09, CAD parts and buildings up to 0.4.
 constexpr double coarse_defect = 0.04;
