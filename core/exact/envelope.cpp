@@ -121,10 +121,13 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
   // about a vertex at the source would replace one another without end.
   const double of_positions = position_rounding * (is_long && !by_lengths ? std::abs(old.source_x) : r);
   // A window that bends earlier, or nowhere, is wider behind each edge than what bends beside its rays: kept
-  // in its place, that would leave open what only these rays see.
-  const double of_distances = fresh.offset < old.offset ? sharp : tie;
+  // in its place, that would leave open what only these rays see. Waves of segments have offsets far beyond
+  // their distances, and these round as offsets do.
+  const bool is_sharp = fresh.offset < old.offset;
   auto tie_at = [&](double at_old) {
-    return of_distances * (is_long ? gain_scale(fresh, old, at_old) : at_old) + of_positions;
+    const double scale = is_long ? gain_scale(fresh, old, at_old) : at_old;
+    const double rounding = sharp * (scale + std::abs(fresh.offset));
+    return (is_sharp ? std::min(tie * scale, rounding) : tie * scale) + of_positions;
   };
   const double gain_l = gain(l, old_l, fresh_l);
   const double gain_r = gain(r, old_r, fresh_r);

@@ -266,7 +266,8 @@ double wanted_entries(const Mesh& mesh, const Partition& partition) {
 
 namespace {
 
-/// With more vertices than this, an exact run takes over a tenth of a second.
+/// With more vertices than this, an exact run takes long beside an answer of tables: a tenth of a second on
+/// needles.
 constexpr Index few_vertices = 10000;
 /// Of the entries that tables should have at most: with fewer, another partition would save little.
 constexpr double many_entries = 0.55;

@@ -13,6 +13,7 @@ project="$PWD"
 checkout() {
   local folder="${3:-$project/build/peers/$1}"
   if [ ! -d "$folder/tests" ]; then
+    [ -z "${3:-}" ] || return 1
     rm -rf "$folder"
     mkdir -p "$(dirname "$folder")"
     timeout 120 git clone --quiet --depth 1 "https://github.com/$2" "$folder" >&2 || return 1
@@ -21,9 +22,9 @@ checkout() {
 }
 
 gdist="$(checkout gdist the-virtual-brain/tvb-gdist "${VOROGEO_GDIST_SOURCE:-}")" ||
-  { echo "the tests of gdist cannot be cloned"; exit 77; }
+  { echo "the tests of gdist cannot be cloned, or VOROGEO_GDIST_SOURCE has none"; exit 77; }
 pygeodesic="$(checkout pygeodesic mhogg/pygeodesic "${VOROGEO_PYGEODESIC_SOURCE:-}")" ||
-  { echo "the tests of pygeodesic cannot be cloned"; exit 77; }
+  { echo "the tests of pygeodesic cannot be cloned, or VOROGEO_PYGEODESIC_SOURCE has none"; exit 77; }
 
 # Their tests import the packages by name: these folders come before those that are installed.
 status=0
