@@ -499,7 +499,9 @@ SideLengths drifts_by_face(std::span<const Point> positions, std::span<const std
     auto refuse = [&](const std::string& what) {
       throw InvalidInput("The drift of face " + std::to_string(f) + " " + what);
     };
-    if (!std::isfinite(w[0] + w[1] + w[2])) refuse("is not finite; give three finite numbers.");
+    if (!std::isfinite(w[0] + w[1] + w[2])) {
+      refuse("is not finite; give three finite numbers, or a finite wind and own speed that make it.");
+    }
     std::array<long double, 3> gain{};
     for (int i = 0; i < 3; ++i) {
       const Step side = edge_vector(positions, faces[f][(i + 1) % 3], faces[f][(i + 2) % 3]);

@@ -47,6 +47,14 @@ def read_mesh(file: str | os.PathLike[str]) -> MeshArrays:
     InvalidInput
         (a ValueError) If it holds no triangle.
     """
+    return read_with_values(file)[0]
+
+
+def read_with_values(file: str | os.PathLike[str]) -> tuple[MeshArrays, dict[str, NDArray[Any]]]:
+    """The mesh, and what the file has for each vertex beside its place: colours, normals, texture coordinates, numbers.
+
+    These have their names in PLY files. There are none if meshio cannot read the file or is not installed.
+    """
     path = check.file_path(file)
     if not os.path.isfile(path):
         raise FileError(f"{path}: there is no such file.")
@@ -56,7 +64,7 @@ def read_mesh(file: str | os.PathLike[str]) -> MeshArrays:
             reasons.append(f"{name} is not installed (pip install {package})")
             continue
         try:
-            vertices, faces = reader(path)
+            vertices, faces, *values = reader(path)
         except MemoryError:
             raise
         except (Exception, SystemExit) as error:  # meshio ends the process for a file that it does not understand
@@ -65,11 +73,11 @@ def read_mesh(file: str | os.PathLike[str]) -> MeshArrays:
         if not len(faces):
             raise InvalidInput(f"{path}: holds no triangle; give a surface.")
         points = check.vertices(vertices)
-        return MeshArrays(points, check.faces(faces, len(points)))
+        return MeshArrays(points, check.faces(faces, len(points))), values[0] if values else {}
     raise FileError(f"{path}: cannot be read as a mesh ({'; '.join(reasons)}).")
 
 
-def _readers(path: Path) -> Iterator[tuple[str, str, Callable[[str], tuple[Any, Any]]]]:
+def _readers(path: Path) -> Iterator[tuple[str, str, Callable[[str], tuple[Any, ...]]]]:
     name = path.name.lower().removesuffix(".gz")
     if name.endswith(".gii"):
         yield "nibabel", "nibabel", _read_gifti
@@ -97,36 +105,13 @@ def _read_freesurfer(path: str) -> tuple[Any, Any]:
     return vertices, np.asarray(faces, np.int32)
 
 
-def _read_with_meshio(path: str) -> tuple[Any, Any]:
-    return of_meshio(_from_meshio(path))
-
-
-def _from_meshio(path: str) -> Any:
+def _read_with_meshio(path: str) -> tuple[Any, Any, dict[str, NDArray[Any]]]:
     import meshio
 
     if path.lower().endswith(".off") and not _has_second_line(path):  # meshio would wait for it forever
         raise ValueError("ends before the numbers of vertices and faces")
     with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
-        return meshio.read(path)
-
-
-def read_vertex_values(file: str | os.PathLike[str]) -> dict[str, NDArray[Any]]:
-    """What a file has for each vertex beside its place: colours, normals, texture coordinates and other numbers.
-
-    Parameters
-    ----------
-    file : str or path
-        One that `read_mesh` has read.
-
-    Returns
-    -------
-    dict of str to (n,) array
-        By their names in PLY files. Empty if the file has none, or if meshio cannot read it or is not installed.
-    """
-    try:
-        mesh = _from_meshio(os.fspath(file))
-    except (Exception, SystemExit):  # meshio ends the process for a file that it does not understand
-        return {}
+        mesh = meshio.read(path)
     found: dict[str, NDArray[Any]] = {}
     for name, values in mesh.point_data.items():
         columns = _COLUMNS.get(name, (name,))
@@ -135,7 +120,7 @@ def read_vertex_values(file: str | os.PathLike[str]) -> dict[str, NDArray[Any]]:
             table = table.view(np.uint8)
         if table.shape[1] == len(columns) and table.dtype.kind in "iuf":
             found |= dict(zip(columns, table.T, strict=True))
-    return found
+    return *of_meshio(mesh), found
 
 
 def _has_second_line(path: str) -> bool:

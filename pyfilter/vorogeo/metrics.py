@@ -391,14 +391,15 @@ def climbing_cost(uphill: float = 8.0, downhill: float = 2.0) -> Callable[[Array
 
 
 def _at_grades(law: Callable[[NDArray[np.float64]], NDArray[np.float64]], grade: ArrayLike) -> NDArray[np.float64]:
-    """A law of the core, for grades in an array of any shape."""
-    grades = np.asarray(grade, dtype=np.float64)
+    """A law, for grades in an array of any shape."""
+    wanted = "rises by length on the map, as real numbers"
+    grades = np.asarray(check.numbers("grade", grade, wanted), dtype=np.float64)
     return law(grades.ravel()).reshape(grades.shape)
 
 
 def wheelchair(grade: ArrayLike) -> NDArray[np.float64]:
     """1 for each unit of length at a grade of up to 1 in 12, infinite where it is steeper."""
-    return np.where(np.abs(grade) <= (1 + 1e-9) / 12, 1.0, np.inf)
+    return _at_grades(lambda at: np.where(np.abs(at) <= (1 + 1e-9) / 12, 1.0, np.inf), grade)
 
 
 def hiking_time(

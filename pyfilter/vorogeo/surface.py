@@ -486,6 +486,7 @@ def exact_distance_field(
     gap: float = 0.0,
     bridge_folds: bool = False,
     threads: int | None = None,
+    to: bool = False,
 ) -> NDArray[Any]:
     """Exact distance of every vertex from its nearest source: a `Surface` asked once, by the method "exact".
 
@@ -498,6 +499,8 @@ def exact_distance_field(
         Vertex ids; repeated ones make no difference.
     max_distance : float, optional
         Distances above it are not computed and become infinity; None for no limit.
+    to
+        As for `Surface.distance_field`.
 
     Returns
     -------
@@ -512,7 +515,7 @@ def exact_distance_field(
     surface = Surface(vertices, faces, threads, None, mask, metric, gap, bridge_folds)
     # Also what an error calls them: the caller gave ids.
     ids = check.source_ids(sources, len(surface.vertices))
-    return surface.distance_field(ids, max_distance, method="exact", dtype=dtype)
+    return surface.distance_field(ids, max_distance, to=to, method="exact", dtype=dtype)
 
 
 def exact_path(

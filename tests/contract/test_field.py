@@ -46,10 +46,10 @@ def test_offsets_are_added_and_the_label_is_the_source_of_the_least_sum(by: str,
     assert (of_label <= sums.min(axis=0)[reached] * (1 + slack) + 1e-12).all()
 
 
-@pytest.mark.parametrize("shape", table.DRIFTS, ids=str)
-def test_distances_to_the_sources_are_those_of_the_ways_there(shape: Shape) -> None:
-    answer = np.array([ask.field("exact", shape, int(source), to=True) for source in shape.sources])
-    ask.assert_answers("exact", shape, answer, shape.between(shape.chart, shape.charted(shape.sources)).T)
+@table.asked(["exact", "function"], table.DRIFTS)
+def test_distances_to_the_sources_are_those_of_the_ways_there(by: str, shape: Shape) -> None:
+    answer = np.array([ask.field(by, shape, int(source), to=True) for source in shape.sources])
+    ask.assert_answers(by, shape, answer, shape.between(shape.chart, shape.charted(shape.sources)).T)
 
 
 @table.asked([*KINDS_OF_POINTS, "function"], [*table.UNROLLED, *table.DRIFTS])

@@ -135,6 +135,9 @@ def test_costs_of_grade_are_functions_or_tables() -> None:
     beyond = vorogeo.slope_cost(steep, faces, penalty=[[0, 1], [0.2, 3], [0.3, np.inf]])
     assert np.isinf(np.asarray(beyond.cost)).all()
     np.testing.assert_allclose(vorogeo.naismith([-0.3, 0, 0.1]), [0.72, 0.72, 0.72 + 600 / 1000])
+    for law in (vorogeo.tobler, vorogeo.naismith, vorogeo.wheelchair, vorogeo.climbing_cost()):
+        with ask.refused("grade: is not an array of numbers .it is .*; give rises by length on the map"):
+            law("a")
     for table, sentence in (
         ([[0, 1], [0.1, np.nan]], "penalty.1.: is .0.1, nan."),
         ([[0, 1], [0, 2]], "penalty.1.: is .0.0, 2.0."),
@@ -154,7 +157,7 @@ def test_winds_may_be_unknown_where_a_mask_leaves_faces_out() -> None:
     metric = vorogeo.travel_time(vertices, faces, wind)
     field = vorogeo.Surface(vertices, faces, metric=metric, mask=mask).distance_field(0)
     assert field[8] == pytest.approx(1 / 1.3, rel=1e-9)
-    with ask.refused(f"The drift of face {np.flatnonzero(~mask)[0]} is not finite"):
+    with ask.refused(f"The drift of face {np.flatnonzero(~mask)[0]} is not finite; give .* a finite wind"):
         vorogeo.Surface(vertices, faces, metric=metric)
     with ask.refused("wind: has shape"):
         vorogeo.travel_time(vertices, faces, [np.nan, 0, 0])

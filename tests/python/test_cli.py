@@ -270,6 +270,8 @@ def test_the_default_name_is_made_of_mesh_and_command(mesh, capsys):
         (["field", "plane.off", "--from", "0", "--slope-penalty", "1", "--metric", "few.csv"], 2, "not allowed with"),
         (["field", "plane.off", "--from", "0", "--to", "1"], 2, "not allowed with"),
         (["voronoi", "plane.off"], 2, "one of the arguments --from --to is required"),
+        (["cut", "plane.off", "--points", "0", "9", "--to", "1"], 1, "--to: says nothing beside --points"),
+        (["cut", "plane.off", "--from", "0", "--levels", "1", "--closed"], 1, "--closed: says nothing beside --levels"),
         (["field", "plane.off", "--from", "0", "--hiking", "fast"], 2, "'fast' is not tobler, naismith or two numbers"),
         (["field", "plane.off", "--from", "0", "--hiking=-1,2"], 1, "The uphill cost is -1"),
         (["guess", "plane.off"], 2, "invalid choice: 'guess'"),

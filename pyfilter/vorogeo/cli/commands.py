@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from ..errors import InvalidInput
 from ..mesh_check import check_mesh
-from ..mesh_files import read_vertex_values
 from ..points import SurfacePoints
 from ..results import GeodesicPath
 from . import directions
@@ -240,17 +239,21 @@ def profile(task: MeshTask) -> Result:
 
 def cut(task: MeshTask) -> Result:
     """The mesh cut along the path through points, or at distances from sources; all of it or a region."""
-    if task.options.get("levels"):
+    line = "levels" if task.options.get("levels") else "points"
+    if not task.options.get(line):
+        raise InvalidInput("--points: is missing; name points to cut along the path through them, or give --levels.")
+    for name in ("from", "to") if line == "points" else ("points", "closed", "guides"):
+        if task.options.get(name):
+            raise InvalidInput(f"--{name}: says nothing beside --{line}; leave out one of them.")
+    if line == "levels":
         sources, to = task.sources()
         distances = task.surface.distance_field(sources, to=to, method=task.method)
         found = task.surface.cut_at_levels(distances, task.options["levels"], progress=task.progress)
-    elif task.options.get("points"):
-        found = task.surface.cut(_path_through(task), progress=task.progress)
     else:
-        raise InvalidInput("--points: is missing; name points to cut along the path through them, or give --levels.")
+        found = task.surface.cut(_path_through(task), progress=task.progress)
     count = int(found.region.max(initial=-1)) + 1
     vertices, faces, region = found.vertices, found.faces, found.region
-    given = read_vertex_values(task.job.mesh) if format_of(task.target) == ".ply" else {}
+    given = task.vertex_values if format_of(task.target) == ".ply" else {}
     values = _carried_over(given, found.points, task.faces)
     chosen = task.options.get("region")
     if chosen is not None:

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InvalidInput
-from ..mesh_files import read_mesh
+from ..mesh_files import read_with_values
 from ..metrics import FaceRanders, Metric
 from ..points import Points
 from ..surface import GeodesicIndex, Surface
@@ -47,7 +47,7 @@ class MeshTask:
     def __init__(self, job: Job) -> None:
         self.job = job
         self.options = job.options
-        self.file_vertices, self.faces = read_mesh(job.mesh)
+        (self.file_vertices, self.faces), self.vertex_values = read_with_values(job.mesh)
         self.mask: NDArray[Any] | None = None
         if self.options.get("mask"):
             from ..brain import read_mask
