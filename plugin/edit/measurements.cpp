@@ -23,7 +23,6 @@ constexpr int digits_shown = 4;
 constexpr int digits_of_whole_part = 15;
 constexpr int all_digits = std::numeric_limits<double>::max_digits10;
 constexpr std::size_t most_undone = 50;
-constexpr const char* first_line = "VoroGeo measurements 1";
 
 std::string number_with(int digits, double value) {
   std::ostringstream text;
@@ -252,60 +251,47 @@ std::string Measurements::table() const {
   return text;
 }
 
-std::string Measurements::csv() const {
-  std::string text = "number,name,kind,layer,unit,metric,weight,gap,method,edited_since";
-  for (const char* name : quantity_names) text += std::string(",") + name;
-  text += ",points,mesh\n";
-  for (const Measurement& m : all_) {
-    text += std::to_string(m.number) + ',' + cell(m.name) + ',' + name_of(m.kind) + ',' + cell(m.layer_name) +
-            ',' + unit_names[static_cast<std::size_t>(unit_)] + ',' +
-            ruler_metrics[static_cast<std::size_t>(m.metric.metric)] + ',' +
-            number_with(all_digits, m.metric.weight) + ',' + number_with(all_digits, m.metric.gap) + ',' +
-            m.method + ',' + (m.is_of_another_mesh ? '1' : '0');
-    for (std::size_t quantity = 0; quantity < quantity_names.size(); ++quantity) {
-      text += ',';
-      for (const Value& v : m.values) {
-        if (static_cast<std::size_t>(v.what) == quantity) text += number_with(all_digits, v.value);
-      }
-    }
-    text += ',';
-    for (std::size_t i = 0; i < m.points.size(); ++i) {
-      const auto& [x, y, z] = m.points[i];
-      text += (i == 0 ? "" : ";") + number_with(all_digits, x) + ' ' + number_with(all_digits, y) + ' ' +
-              number_with(all_digits, z);
-    }
-    text += ',' + std::to_string(m.mesh.words[0]) + ' ' + std::to_string(m.mesh.words[1]) + '\n';
-  }
-  return text;
-}
-
-// ---- Files: a line for each thing, its word first; the lines of a measurement follow its own
-
-std::string Measurements::text() const {
+std::string Measurements::written(bool whole) const {
   std::ostringstream text;
   text.imbue(std::locale::classic());
-  text << std::setprecision(all_digits) << first_line << "\nunit "
-       << unit_names[static_cast<std::size_t>(unit_)] << "\nlast " << last_ << '\n';
+  text << std::setprecision(all_digits) << "number,name,kind,layer,unit,metric,weight,gap,method";
+  if (!whole) text << ",edited_since";  // which compare() finds again
+  for (const char* name : quantity_names) text << ',' << name;
+  text << ",points,mesh" << (whole ? ",hidden,last,vertices,segments" : "") << '\n';
   for (const Measurement& m : all_) {
-    text << "measurement " << m.number << ' ' << name_of(m.kind) << ' ' << m.method << ' ' << m.mesh.words[0]
-         << ' ' << m.mesh.words[1] << ' ' << m.is_hidden << "\nname " << m.name << "\nlayer "
-         << on_one_line(m.layer_name) << '\n';
-    if (m.metric != RulerMetric{}) {
-      text << "metric " << m.metric.weight << ' ' << m.metric.gap << ' '
-           << ruler_metrics[static_cast<std::size_t>(m.metric.metric)] << '\n';
+    text << m.number << ',' << cell(m.name) << ',' << name_of(m.kind) << ',' << cell(m.layer_name) << ','
+         << unit_names[static_cast<std::size_t>(unit_)] << ','
+         << ruler_metrics[static_cast<std::size_t>(m.metric.metric)] << ',' << m.metric.weight << ','
+         << m.metric.gap << ',' << m.method;
+    if (!whole) text << ',' << m.is_of_another_mesh;
+    for (std::size_t quantity = 0; quantity < quantity_names.size(); ++quantity) {
+      text << ',';
+      for (const Value& v : m.values) {
+        if (static_cast<std::size_t>(v.what) == quantity) text << v.value;
+      }
     }
-    for (const auto& [what, value] : m.values) {
-      text << "value " << quantity_names[static_cast<std::size_t>(what)] << ' ' << value << '\n';
+    text << ',';
+    for (const auto& point : m.points) {
+      text << (&point == m.points.data() ? "" : ";") << point[0] << ' ' << point[1] << ' ' << point[2];
     }
-    for (const auto& [x, y, z] : m.points) text << "point " << x << ' ' << y << ' ' << z << '\n';
-    for (std::size_t i = 0; i < m.path.lines.points.size(); ++i) {
-      const auto& [x, y, z] = m.path.lines.points[i];
-      text << "vertex " << x << ' ' << y << ' ' << z << ' ' << m.path.along[i] << '\n';
+    text << ',' << m.mesh.words[0] << ' ' << m.mesh.words[1];
+    if (whole) {
+      text << ',' << m.is_hidden << ',' << last_ << ',';
+      for (std::size_t i = 0; i < m.path.lines.points.size(); ++i) {
+        const auto& [x, y, z] = m.path.lines.points[i];
+        text << (i == 0 ? "" : ";") << x << ' ' << y << ' ' << z << ' ' << m.path.along[i];
+      }
+      text << ',';
+      for (const auto& ends : m.path.lines.segments) {
+        text << (&ends == m.path.lines.segments.data() ? "" : ";") << ends[0] << ' ' << ends[1];
+      }
     }
-    for (const auto& [a, b] : m.path.lines.segments) text << "segment " << a << ' ' << b << '\n';
+    text << '\n';
   }
   return text.str();
 }
+
+// ---- Reads what was written, in columns of any order
 
 namespace {
 
@@ -343,14 +329,7 @@ class Words {
     for (double& coordinate : found) coordinate = real();
     return found;
   }
-  std::string rest() {
-    std::string left;
-    stream_.get();
-    std::getline(stream_, left);
-    return left;
-  }
-  bool is_good() const { return is_good_; }
-  /// Whether that was all.
+  /// Whether that was all, and good.
   bool is_at_end() { return is_good_ && (stream_ >> std::ws).eof(); }
 
  private:
@@ -372,50 +351,16 @@ bool set_metric(Measurement& m, const std::string& name) {
   return metric < ruler_metrics.size();
 }
 
-/// \return whether the line is one of a measurement.
-bool read_line(const std::string& line, Measurement& m) {
-  Words words(line);
-  const std::string what = words.word();
-  if (what == "name") {
-    m.name = words.rest();
-  } else if (what == "layer") {
-    m.layer_name = words.rest();
-  } else if (what == "metric") {
-    m.metric.weight = words.real();
-    m.metric.gap = words.real();
-    const bool is_metric = set_metric(m, words.rest());
-    return words.is_good() && is_metric;
-  } else if (what == "value") {
-    const std::size_t quantity = position_in(quantity_names, words.word());
-    m.values.push_back({static_cast<Quantity>(quantity), words.real()});
-    return words.is_good() && quantity < quantity_names.size();
-  } else if (what == "point") {
-    m.points.push_back(words.point());
-  } else if (what == "vertex") {
-    m.path.lines.points.push_back(words.point());
-    m.path.along.push_back(words.real());
-  } else if (what == "segment") {
-    const auto a = words.number<Index>();
-    const auto b = words.number<Index>();
-    m.path.lines.segments.push_back({a, b});
-    const auto count = static_cast<Index>(m.path.lines.points.size());
-    return words.is_good() && 0 <= std::min(a, b) && std::max(a, b) < count;
-  } else {
-    return false;
+/// Items with semicolons between them, each by read(its words). \return whether all are good.
+template <class Read>
+bool read_items(const std::string& text, Read&& read) {
+  std::istringstream items(text);
+  for (std::string item; std::getline(items, item, ';');) {
+    Words words(item);
+    read(words);
+    if (!words.is_at_end()) return false;
   }
-  return words.is_good();
-}
-
-/// \return whether the line begins a measurement.
-bool begin_measurement(const std::string& line, Measurement& m) {
-  Words words(line);
-  if (words.word() != "measurement") return false;
-  m.number = words.number<int>();
-  const bool is_kind = set_kind(m, words.word());
-  m.method = words.word();
-  for (std::uint64_t& word : m.mesh.words) word = words.number<std::uint64_t>();
-  m.is_hidden = words.number<int>() != 0;
-  return words.is_good() && is_kind;
+  return true;
 }
 
 /// The cells of a CSV file, line by line. Two quotes within quotes are one that is meant.
@@ -454,8 +399,8 @@ bool read_cell(const std::string& column, const std::string& text, Measurement& 
   } else if (column == "method") {
     m.method = words.word();
     return words.is_at_end();
-  } else if (column == "edited_since") {
-    m.is_of_another_mesh = words.number<int>() != 0;
+  } else if (column == "edited_since" || column == "hidden") {
+    (column == "hidden" ? m.is_hidden : m.is_of_another_mesh) = words.number<int>() != 0;
     return words.is_at_end();
   } else if (column == "metric") {
     return set_metric(m, text);
@@ -466,12 +411,21 @@ bool read_cell(const std::string& column, const std::string& text, Measurement& 
     for (std::uint64_t& word : m.mesh.words) word = words.number<std::uint64_t>();
     return words.is_at_end();
   } else if (column == "points") {
-    std::istringstream points(text);
-    for (std::string point; std::getline(points, point, ';');) {
-      Words coordinates(point);
-      m.points.push_back(coordinates.point());
-      if (!coordinates.is_at_end()) return false;
-    }
+    return read_items(text, [&](Words& point) { m.points.push_back(point.point()); });
+  } else if (column == "vertices") {
+    return read_items(text, [&](Words& vertex) {
+      m.path.lines.points.push_back(vertex.point());
+      m.path.along.push_back(vertex.real());
+    });
+  } else if (column == "segments") {
+    const auto count = static_cast<Index>(m.path.lines.points.size());
+    const bool is_good = read_items(text, [&](Words& ends) {
+      const auto a = ends.number<Index>(), b = ends.number<Index>();
+      m.path.lines.segments.push_back({a, b});
+    });
+    return is_good && std::ranges::all_of(m.path.lines.segments, [&](const auto& ends) {
+             return 0 <= std::min(ends[0], ends[1]) && std::max(ends[0], ends[1]) < count;
+           });
   } else if (const std::size_t quantity = position_in(quantity_names, column);
              quantity < quantity_names.size() && !text.empty()) {
     m.values.push_back({static_cast<Quantity>(quantity), words.real()});
@@ -482,7 +436,7 @@ bool read_cell(const std::string& column, const std::string& text, Measurement& 
 
 }  // namespace
 
-void Measurements::add_csv(const std::string& text, const std::function<int(const std::string&)>& layer_of) {
+void Measurements::take(const std::string& text, bool whole, const LayerOf& layer_of) {
   const auto lines = cells_of(text);
   if (lines.empty() || std::ranges::count(lines[0], "kind") != 1 ||
       std::ranges::count(lines[0], "points") != 1) {
@@ -490,7 +444,9 @@ void Measurements::add_csv(const std::string& text, const std::function<int(cons
         "The file has no columns kind and points in its first line: choose one that the ruler has saved.");
   }
   std::vector<Measurement> found;
-  std::size_t unit = static_cast<std::size_t>(unit_);
+  std::size_t unit = whole ? 0 : static_cast<std::size_t>(unit_);
+  int last = whole ? 0 : last_;
+  const bool has_unit = !whole && !all_.empty();
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const std::string place = "Line " + std::to_string(i + 1) + " of the measurements ";
     if (lines[i].size() != lines[0].size()) {
@@ -500,13 +456,25 @@ void Measurements::add_csv(const std::string& text, const std::function<int(cons
     }
     Measurement& m = found.emplace_back();
     for (std::size_t j = 0; j < lines[i].size(); ++j) {
-      const std::string& content = lines[i][j];
-      const bool is_unit = lines[0][j] == "unit";
-      const std::size_t named = is_unit ? position_in(unit_names, content) : unit;
-      if (named == unit_names.size() || !read_cell(lines[0][j], content, m)) {
-        throw InvalidInput(place + "cannot be read: '" + content + "' in the column " + lines[0][j] + ".");
+      const std::string &column = lines[0][j], &content = lines[i][j];
+      std::size_t named = unit;
+      bool is_good = true;
+      if (column == "unit") {
+        named = position_in(unit_names, content);
+        is_good = named < unit_names.size();
+      } else if (column == "number" || column == "last") {
+        Words words(content);
+        const int number = whole ? words.number<int>() : 0;
+        is_good = !whole || words.is_at_end();
+        if (column == "number") m.number = number;
+        last = std::max(last, number);
+      } else {
+        is_good = read_cell(column, content, m);
       }
-      if (named != unit && (i > 1 || !all_.empty())) {
+      if (!is_good) {
+        throw InvalidInput(place + "cannot be read: '" + content + "' in the column " + column + ".");
+      }
+      if (named != unit && (i > 1 || has_unit)) {
         throw InvalidInput(place + "counts in " + content + ", but those before it in " + unit_names[unit] +
                            ". Values are not converted: choose one unit for all of them.");
       }
@@ -517,60 +485,20 @@ void Measurements::add_csv(const std::string& text, const std::function<int(cons
     }
     m.layer = layer_of(m.layer_name);
   }
-  if (found.empty()) return;
-  remember();
-  unit_ = static_cast<LengthUnit>(unit);
-  for (Measurement& m : found) {
-    m.number = ++last_;
-    if (m.name.empty()) m.name = std::string(name_of(m.kind)) + ' ' + std::to_string(last_);
-    all_.push_back(std::move(m));
+  if (whole) {
+    all_.clear();
+    before_.clear();
+  } else {
+    if (found.empty()) return;
+    remember();
   }
-  tell();
-}
-
-void Measurements::read(const std::string& text, const std::function<int(const std::string&)>& layer_of) {
-  std::istringstream lines(text);
-  std::string line;
-  std::getline(lines, line);
-  if (line != first_line) {
-    throw InvalidInput("The file does not begin with '" + std::string(first_line) +
-                       "': it holds no measurements, or those of another version.");
-  }
-  std::vector<Measurement> found;
-  std::size_t unit = 0;
-  int last = 0;
-  for (int number = 2; std::getline(lines, line); ++number) {
-    Words words(line);
-    const std::string what = words.word();
-    bool is_good = false;
-    if (what == "unit") {
-      unit = position_in(unit_names, words.word());
-      is_good = unit < unit_names.size();
-    } else if (what == "last") {
-      last = words.number<int>();
-      is_good = words.is_good();
-    } else if (what == "measurement") {
-      is_good = begin_measurement(line, found.emplace_back());
-      last = std::max(last, found.back().number);
-    } else if (!found.empty()) {
-      is_good = read_line(line, found.back());
-    }
-    if (!is_good) {
-      throw InvalidInput("Line " + std::to_string(number) + " of the measurements cannot be read: '" + line +
-                         "'; it was damaged, or is of another version.");
-    }
-  }
-  for (Measurement& m : found) {
-    if (m.points.size() < least_points(m.kind)) {
-      throw InvalidInput("Measurement " + std::to_string(m.number) +
-                         " has too few points: the file is damaged.");
-    }
-    m.layer = layer_of(m.layer_name);
-  }
-  all_ = std::move(found);
-  before_.clear();
   unit_ = static_cast<LengthUnit>(unit);
   last_ = last;
+  for (Measurement& m : found) {
+    if (m.number == 0) m.number = ++last_;
+    if (m.name.empty()) m.name = std::string(name_of(m.kind)) + ' ' + std::to_string(m.number);
+    all_.push_back(std::move(m));
+  }
   tell();
 }
 

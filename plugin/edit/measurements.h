@@ -154,20 +154,22 @@ class Measurements {
   static std::string four_digits(double value);
   /// With tabs, a line for each row, the first with the columns: what spreadsheets take from the clipboard.
   std::string table() const;
+  /// The number of a layer, -1 if there is none of that name.
+  using LayerOf = std::function<int(const std::string& name)>;
   /// With commas and all digits: a column for each quantity, and the points.
-  std::string csv() const;
-  /// Adds what csv() wrote, without lines. `layer_of`: see read(). \throw InvalidInput for anything else,
-  /// also for another unit than that of measurements that are there (names the line); nothing is changed
-  /// then.
-  void add_csv(const std::string& text, const std::function<int(const std::string&)>& layer_of);
+  std::string csv() const { return written(false); }
+  /// Adds what csv() wrote, without lines. \throw InvalidInput for anything else, also for another unit than
+  /// that of measurements that are there (names the line); nothing is changed then.
+  void add_csv(const std::string& text, const LayerOf& layer_of) { take(text, false, layer_of); }
 
-  /// Everything, to be read again.
-  std::string text() const;
-  /// Replaces everything by what text() wrote. `layer_of`: the number of a layer, -1 if there is none of that
-  /// name. \throw InvalidInput for anything else (names the line); nothing is changed then.
-  void read(const std::string& text, const std::function<int(const std::string&)>& layer_of);
+  /// Everything, to be read again: the same with more columns.
+  std::string text() const { return written(true); }
+  /// Replaces everything by what text() wrote. \throw InvalidInput as add_csv().
+  void read(const std::string& text, const LayerOf& layer_of) { take(text, true, layer_of); }
 
  private:
+  std::string written(bool whole) const;
+  void take(const std::string& text, bool whole, const LayerOf& layer_of);
   Measurement* own(int number);
   void remember();
   void tell();

@@ -22,7 +22,6 @@ namespace {
 constexpr float line_width = 3.0F;
 constexpr float isoline_width = 1.5F;
 constexpr std::chrono::milliseconds tick_of_preparation{200};
-constexpr int columns = 4;
 constexpr std::array<int, 4> snap_keys{Qt::Key_F, Qt::Key_V, Qt::Key_E, Qt::Key_B};  ///< by SnapTo
 constexpr QSize dock_size(460, 380);
 constexpr std::chrono::seconds tick_of_storing{1};
@@ -30,16 +29,6 @@ constexpr std::chrono::seconds tick_of_storing{1};
 constexpr std::chrono::milliseconds wait_for_exact{40};
 /// Pixels from a point of a measurement at which it is taken by the mouse.
 constexpr double reach_of_points = 10.0;
-
-Transform transform_of(const MeshModel& layer) {
-  Transform matrix;
-  for (int row = 0; row < columns; ++row) {
-    for (int column = 0; column < columns; ++column) {
-      matrix(row, column) = static_cast<double>(layer.cm.Tr.ElementAt(row, column));
-    }
-  }
-  return matrix;
-}
 
 /// The lines of a measurement, or the straight line between points that no path joins.
 void draw_lines(Overlay& overlay, const SurfaceLines& lines, const std::vector<Value>& values,
@@ -611,7 +600,8 @@ void RulerTool::show_what_is_shown() {
 
 void RulerTool::decorate(MeshModel& layer, GLArea*, QPainter* painter) {
   if (document_ == nullptr || document_->mm() == nullptr || area_ == nullptr || layer.id() != layer_) return;
-  const Transform transform = transform_of(layer);
+  Transform transform;
+  layer.cm.Tr.ToEigenMatrix(transform);
   if (drag_ && !drag_->view) {
     drag_->view = SceneView::capture(transform, true);
     ask();

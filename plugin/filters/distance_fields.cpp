@@ -156,9 +156,10 @@ QString help_on_exact() {
   return "<p>How to choose: exact up to rounding, without an index; one propagation over the whole mesh for "
          "each call, which a <b>Max distance</b> shortens. For many fields on one mesh take the filter "
          "without <i>Exact</i> in its name: from an index they are much faster, with a small error.</p>"
-         "<p>See:<br/><i>Joseph S. B. Mitchell, David M. Mount, Christos H. Papadimitriou</i><br/>"
-         "<b>\"The discrete geodesic problem\"</b><br/>SIAM Journal on Computing 16(4), 1987.<br/>"
-         "<i>Vitaly Surazhsky, Tatiana Surazhsky, Danil Kirsanov, Steven J. Gortler, Hugues Hoppe</i><br/>"
+         "<p>See:<br/>" +
+         reference_of_exact() +
+         "<br/><i>Vitaly Surazhsky, Tatiana Surazhsky, Danil Kirsanov, Steven J. Gortler, Hugues "
+         "Hoppe</i><br/>"
          "<b>\"Fast exact and approximate geodesics on meshes\"</b><br/>ACM Transactions on Graphics 24(3), "
          "2005.</p>";
 }
@@ -301,7 +302,6 @@ Results signed_distances(FilterCall& call) {
       ++unreached;
     }
   }
-  rest_if_large(*layer, answered, mesh->given_vertex_count() - unreached);
   call.progress.report(1.0, "Writing quality and colours");
 
   call.layer.updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
@@ -326,7 +326,6 @@ Results signed_distances(FilterCall& call) {
   results["max_distance"] = outside;
   results["unreachable_vertices"] = unreached;
   results["snap_distance"] = curves.empty() ? 0.0 : curves[0].snap_distance;
-  results["seconds"] = answered.seconds;
   return results;
 }
 
@@ -386,8 +385,11 @@ Results directions_from_point(FilterCall& call) {
   const int rings = number_of(call, "rings", 0, ". Give 0 or a positive number.");
   const bool per_wedge = call.parameters.getBool("per_wedge");
   const SnappedPoint start = start_point(call, *layer);
-  auto answer = ask_task_by(AnswerMethod::exact, call, *layer, "Geodesic directions", log_map, start.point,
-                            std::nullopt, radius > 0.0 ? radius : unreachable);
+  const auto ask = [&](Surface& surface, Answered& answered, const Progress& progress) {
+    return log_map(surface, start.point, std::nullopt, radius > 0.0 ? radius : unreachable,
+                   {AnswerMethod::exact, progress, &answered});
+  };
+  auto answer = ask_surface(call, *layer, "Geodesic directions", ask);
   LogMap& map = answer.found;
   if (layer->placement().is_mirrored()) {  // counter-clockwise as the scene is seen
     for (auto& vector : map.vector) vector[1] = -vector[1];
@@ -466,10 +468,10 @@ QString help_on_directions() {
          "smeared rim of the picture. To keep all of a picture, take a radius a little larger and a scale "
          "that much smaller. On a curved surface the picture is stretched away from the point: "
          "<i>mean_distortion</i> and <i>max_distortion</i> say by what fraction the lengths of edges in the "
-         "picture differ from those on the surface.</p><p>See:<br/><i>Joseph S. B. "
-         "Mitchell, David M. Mount, Christos H. Papadimitriou</i><br/><b>\"The discrete geodesic "
-         "problem\"</b><br/>SIAM Journal on Computing 16(4), 1987.<br/><i>Ryan Schmidt, Cindy Grimm, Brian "
-         "Wyvill</i><br/><b>\"Interactive decal compositing with discrete exponential maps\"</b><br/>ACM "
+         "picture differ from those on the surface.</p><p>See:<br/>" +
+         reference_of_exact() +
+         "<br/><i>Ryan Schmidt, Cindy Grimm, Brian Wyvill</i><br/><b>\"Interactive decal compositing with "
+         "discrete exponential maps\"</b><br/>ACM "
          "Transactions on Graphics 25(3), 2006.</p>";
 }
 
@@ -562,8 +564,8 @@ std::vector<FilterRow> distance_rows() {
           "them on both sides are those of <i>Isolines of a geodesic distance (VoroGeo)</i>: untick "
           "<b>Quality is a distance</b> there.</p><p>Returns <i>min_distance</i> and <i>max_distance</i>, of "
           "the vertices deepest inside and farthest outside, and <i>unreachable_vertices</i>.</p>"
-          "<p>See:<br/><i>Joseph S. B. Mitchell, David M. Mount, Christos H. Papadimitriou</i><br/><b>\"The "
-          "discrete geodesic problem\"</b><br/>SIAM Journal on Computing 16(4), 1987.</p>",
+          "<p>See:<br/>" +
+              reference_of_exact() + "</p>",
           region_parameters, signed_distances),
       {"Geodesic directions from a given point (VoroGeo)",
        "compute_scalar_by_vorogeo_directions_from_given_point_per_vertex", help_on_directions(),

@@ -112,10 +112,7 @@ Results add_path_layer(FilterCall& call, const char* name, const Mesh& mesh, con
 /// The same for the answer of a task about points, and what the filter returns.
 Results add_path_layer(FilterCall& call, const char* name, LayerSurface& layer, const TaskPoints& points,
                        AnswerOfLayer<ExactPath> answer) {
-  rest_if_large(layer, answer.answered, layer.mesh()->vertex_count());
-  call.progress.report(1.0, name);
   Results results = add_path_layer(call, name, *layer.mesh(), answer.found);
-  results["seconds"] = answer.answered.seconds;
   results["snap_distance"] = points.snap_distance;
   results.merge(answer.about);
   return results;
@@ -209,10 +206,7 @@ Results draw_shortest_loop(FilterCall& call) {
   const TaskPoints like = curve_is_selected(call) ? TaskPoints() : curve_in_order(call, *layer);
   auto [loop, answered, results] = ask_task_by(AnswerMethod::exact, call, *layer, "Shortest loop",
                                                shortest_loop, start.point, like.points);
-  rest_if_large(*layer, answered, layer->mesh()->vertex_count());
-  call.progress.report(1.0, "Shortest loop");
   results.merge(add_path_layer(call, "Shortest loop", *layer->mesh(), loop));
-  results["seconds"] = answered.seconds;
   results.merge(about_start(*layer, *layer->mesh(), start));
   results["curve_snap_distance"] = like.snap_distance;
   return results;
@@ -277,7 +271,6 @@ Results draw_profile(FilterCall& call) {
   };
   auto [found, answered, results] =
       ask_task_by(AnswerMethod::automatic, call, *layer, "Profile of a curve", ask);
-  rest_if_large(*layer, answered, mesh->vertex_count());
   write_csv(call, file, csv_of(found));
   std::vector<double> shown = found.*profile_columns[static_cast<std::size_t>(quality)].values;
   for (double& value : shown) value = std::isfinite(value) ? value : quality_without_distance;
@@ -295,7 +288,6 @@ Results draw_profile(FilterCall& call) {
            " and " + logged_length(highest));
   results["points"] = static_cast<int>(found.along.size());
   results["snap_distance"] = curve.snap_distance;
-  results["seconds"] = answered.seconds;
   return results;
 }
 
@@ -316,7 +308,6 @@ Results draw_girth(FilterCall& call) {
   if (normal == Point{}) normal.reset();
   auto [limb, answered, results] =
       ask_task_by(AnswerMethod::exact, call, *layer, "Girth", girth, start.point, normal);
-  call.progress.report(1.0, "Girth");
   // Section and tape are measured in space, whatever the metric.
   std::vector<Point> section;
   for (const SurfacePoint& point : limb.section.points) section.push_back(position_of(*mesh, point));
@@ -334,7 +325,6 @@ Results draw_girth(FilterCall& call) {
   results["tape_length"] = limb.tape_length;
   results["loop_length"] = limb.loop.length;
   results["normal"] = as_vector(limb.normal);
-  results["seconds"] = answered.seconds;
   results.merge(about_start(*layer, *mesh, start));
   return results;
 }

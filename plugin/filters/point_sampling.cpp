@@ -111,8 +111,6 @@ Results mean_of_points(FilterCall& call) {
   auto [centre, answered, results] =
       ask_task_by(AnswerMethod::exact, call, *layer, "Mean of points", centre_of, points.points,
                   std::span<const double>(), median ? Power::one : Power::two);
-  rest_if_large(*layer, answered, mesh->vertex_count());
-  call.progress.report(1.0, "Mean of points");
   const HostPlace place = layer->host_place(*mesh, centre.point);
   const char* name = median ? "Geometric median" : "Frechet mean";
   add_surface_point_layer(call, name, *layer, *mesh, std::span(&centre.point, 1));
@@ -126,7 +124,6 @@ Results mean_of_points(FilterCall& call) {
   results["face"] = place.face;
   results["energy"] = centre.energy;
   results["snap_distance"] = points.snap_distance;
-  results["seconds"] = answered.seconds;
   return results;
 }
 

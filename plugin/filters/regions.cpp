@@ -116,8 +116,6 @@ Results draw_cut_locus(FilterCall& call) {
   auto [locus, answered, results] =
       ask_task_by(AnswerMethod::exact, call, *layer, "Cut locus", cut_locus, sources.points,
                   degrees / 180.0 * std::numbers::pi, unreachable);
-  rest_if_large(*layer, answered, mesh->vertex_count());
-  call.progress.report(1.0, "Cut locus");
   SurfaceLines lines{{}, std::move(locus.edges)};
   for (const SurfacePoint& point : locus.points) lines.points.push_back(position_of(*mesh, point));
   const std::string of = "Cut locus of " + std::to_string(sources.size()) + " " + sources.what + ": ";
@@ -133,7 +131,6 @@ Results draw_cut_locus(FilterCall& call) {
   results["length"] = lines.length();
   results["unreachable_vertices"] = answered.unreached;
   results["snap_distance"] = sources.snap_distance;
-  results["seconds"] = answered.seconds;
   return results;
 }
 
@@ -287,8 +284,6 @@ Results cut_along_curve(FilterCall& call) {
   };
   auto [cut, answered, results] =
       ask_task_by(AnswerMethod::automatic, call, *layer, "Cutting along the curve", cut_by);
-  rest_if_large(*layer, answered, layer->mesh()->vertex_count());
-  call.progress.report(1.0, "Cutting along the curve");
   // Those that the curve does not touch are left out.
   std::map<Index, std::vector<Index>> faces_of;
   for (std::size_t f = 0; f < cut.faces.size(); ++f) {
@@ -314,7 +309,6 @@ Results cut_along_curve(FilterCall& call) {
   results["parts"] = static_cast<int>(counts.size());
   results["faces"] = as_vector(counts);
   results["snap_distance"] = curve.snap_distance;
-  results["seconds"] = answered.seconds;
   return results;
 }
 
@@ -440,7 +434,6 @@ Results measure_region(FilterCall& call) {
       return enclosed_area(*mesh, closed_line(surface, curve, options), {options.by, options.progress});
     };
     auto answer = ask_task_by(AnswerMethod::automatic, call, *layer, "Area of a region", ask);
-    rest_if_large(*layer, answer.answered, mesh->vertex_count());
     found = answer.found;
     results = std::move(answer.about);
     results["snap_distance"] = curve.snap_distance;
@@ -475,8 +468,6 @@ Results draw_polygon(FilterCall& call) {
   auto [polygon, answered, results] =
       ask_task_by(AnswerMethod::automatic, call, *layer, "Polygon of shortest paths",
                   is_hull ? convex_hull : geodesic_polygon, corners.points);
-  rest_if_large(*layer, answered, mesh->vertex_count());
-  call.progress.report(1.0, "Polygon of shortest paths");
   SurfacePath border;
   for (const ExactPath& leg : polygon.legs) {
     // Each begins where the one before it ends.
@@ -503,7 +494,6 @@ Results draw_polygon(FilterCall& call) {
   results["vertices"] = as_vector(polygon.corners, [&](Index corner) { return corners.numbers[corner]; });
   results["selected_faces"] = static_cast<int>(polygon.faces.size());
   results["snap_distance"] = corners.snap_distance;
-  results["seconds"] = answered.seconds;
   return results;
 }
 

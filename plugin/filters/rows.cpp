@@ -33,9 +33,13 @@ QString help_on_exact_parameter() {
 }
 
 QString references_of_index() {
-  return "<p>See:<br/><i>Rosario Aiello</i><br/><b>\"VoroGeo\"</b>, thesis, 2015.<br/>"
-         "<i>Joseph S. B. Mitchell, David M. Mount, Christos H. Papadimitriou</i><br/>"
-         "<b>\"The discrete geodesic problem\"</b><br/>SIAM Journal on Computing 16(4), 1987.</p>";
+  return "<p>See:<br/><i>Rosario Aiello</i><br/><b>\"VoroGeo\"</b>, thesis, 2015.<br/>" +
+         reference_of_exact() + "</p>";
+}
+
+QString reference_of_exact() {
+  return "<i>Joseph S. B. Mitchell, David M. Mount, Christos H. Papadimitriou</i><br/><b>\"The discrete "
+         "geodesic problem\"</b><br/>SIAM Journal on Computing 16(4), 1987.";
 }
 
 // ---- Puts the rows of all filters together

@@ -17,8 +17,9 @@ QString help_on_choosing();
 /// Where a task takes its points from; and its parameter exact, and the index that it has otherwise.
 QString help_on_task_points();
 QString help_on_exact_parameter();
-/// The papers on the method of the index.
+/// The papers on the method of the index, and on exact distances.
 QString references_of_index();
+QString reference_of_exact();
 
 // ---- The table of all filters: one row each, made in the file of the filter
 

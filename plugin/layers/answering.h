@@ -81,22 +81,30 @@ auto ask_surface(FilterCall& call, LayerSurface& layer, const std::string& activ
   return AnswerOfLayer<decltype(found)>{std::move(found), std::move(answered), std::move(about)};
 }
 
-/// The same for a task of the core: the answer of task(surface, arguments..., options).
+/// The same for a task of the core: the answer of task(surface, arguments..., options). As the parameter
+/// exact says: by what is fastest, or by exact propagation.
 template <class Task, class... Arguments>
-auto ask_task_by(AnswerMethod by, FilterCall& call, LayerSurface& layer, const char* activity, Task&& task,
-                 const Arguments&... arguments) {
+auto ask_task(FilterCall& call, LayerSurface& layer, const char* activity, Task&& task,
+              const Arguments&... arguments) {
+  const AnswerMethod by = call.parameters.getBool("exact") ? AnswerMethod::exact : AnswerMethod::automatic;
   return ask_surface(call, layer, activity,
                      [&](Surface& surface, Answered& answered, const Progress& progress) {
                        return task(surface, arguments..., TaskOptions{by, progress, &answered});
                      });
 }
 
-/// As the parameter exact says: by what is fastest, or by exact propagation.
+/// By what the caller names. Large solvers are freed, and seconds are returned, too.
 template <class Task, class... Arguments>
-auto ask_task(FilterCall& call, LayerSurface& layer, const char* activity, Task&& task,
-              const Arguments&... arguments) {
-  const AnswerMethod by = call.parameters.getBool("exact") ? AnswerMethod::exact : AnswerMethod::automatic;
-  return ask_task_by(by, call, layer, activity, task, arguments...);
+auto ask_task_by(AnswerMethod by, FilterCall& call, LayerSurface& layer, const char* activity, Task&& task,
+                 const Arguments&... arguments) {
+  auto answer =
+      ask_surface(call, layer, activity, [&](Surface& surface, Answered& answered, const Progress& progress) {
+        return task(surface, arguments..., TaskOptions{by, progress, &answered});
+      });
+  rest_if_large(layer, answer.answered, layer.mesh()->vertex_count());
+  call.progress.report(1.0, activity);
+  answer.about["seconds"] = answer.answered.seconds;
+  return answer;
 }
 
 }  // namespace vorogeo::plugin

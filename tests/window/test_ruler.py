@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import csv
+import io
 import re
-from pathlib import Path
 
 import numpy as np
 import pymeshlab
@@ -19,13 +19,12 @@ PATH = "generate_polyline_by_vorogeo_geodesic_path"
 @pytest.fixture(scope="module")
 def saved() -> dict[int, dict[str, str]]:
     """The measurements that were saved, by number."""
-    return measurements(FOLDER / "ruler.csv")
+    return measurements((FOLDER / "ruler.csv").read_text())
 
 
-def measurements(file: Path) -> dict[int, dict[str, str]]:
-    """The rows of a CSV file of the ruler, by number."""
-    with open(file, newline="") as lines:
-        return {int(row["number"]): row for row in csv.DictReader(lines)}
+def measurements(text: str) -> dict[int, dict[str, str]]:
+    """The rows of a file of the ruler, by number."""
+    return {int(row["number"]): row for row in csv.DictReader(io.StringIO(text))}
 
 
 def points_of(row: dict[str, str]) -> np.ndarray:

@@ -15,7 +15,7 @@ from test_ruler import PATH, measurements, points_of
 @pytest.fixture(scope="module")
 def saved() -> dict[int, dict[str, str]]:
     """The measurements that were saved, by number."""
-    return measurements(FOLDER / "ruler_choices.csv")
+    return measurements((FOLDER / "ruler_choices.csv").read_text())
 
 
 def test_the_script_came_to_its_end(seen):

@@ -16,7 +16,7 @@ KINDS = ["polygon", "loop", "angle", "path", "tape", "disk", "distance"]
 @pytest.fixture(scope="module")
 def saved() -> dict[int, dict[str, str]]:
     """The measurements that were saved, by number."""
-    return measurements(FOLDER / "ruler_table.csv")
+    return measurements((FOLDER / "ruler_table.csv").read_text())
 
 
 def test_the_script_came_to_its_end(seen):
@@ -97,34 +97,19 @@ def test_undo_brings_back_what_was_deleted(saved):
 def test_measurements_before_an_edit_say_so_and_are_measured_again(seen):
     assert ["before an edit" in row[5] for row in seen["edited"]] == [False] * 3 + [True] * 4
     assert not any("before an edit" in row[5] for row in seen["again"])
-    stored = read_back(seen["stored"])
-    arcs = {number: [great_circle(*ends) for ends in pairwise(stored[number]["point"])] for number in (4, 6, 7)}
-    assert stored[4]["length"] == pytest.approx(2 * sum(arcs[4]), rel=2e-3)
-    assert stored[5]["tape"] == pytest.approx(4 * np.pi, rel=2e-3)
-    assert stored[6]["area"] == pytest.approx(8 * np.pi * (1 - np.cos(arcs[6][0])), rel=4e-3)
-    assert stored[7]["length"] == pytest.approx(2 * arcs[7][0], rel=2e-3)
-
-
-def read_back(text: str) -> dict[int, dict]:
-    """Values and points of the file beside the project, by number."""
-    found: dict[int, dict] = {}
-    for what, *words in (line.split() for line in text.splitlines()):
-        if what == "measurement":
-            found[int(words[0])] = last = {"point": []}
-        elif what == "value":
-            last[words[0]] = float(words[1])
-        elif what == "point":
-            last["point"].append(np.array(words, dtype=float))
-    return found
+    stored = measurements(seen["stored"])
+    arcs = {number: [great_circle(*ends) for ends in pairwise(points_of(stored[number]))] for number in (4, 6, 7)}
+    assert float(stored[4]["length"]) == pytest.approx(2 * sum(arcs[4]), rel=2e-3)
+    assert float(stored[5]["tape"]) == pytest.approx(4 * np.pi, rel=2e-3)
+    assert float(stored[6]["area"]) == pytest.approx(8 * np.pi * (1 - np.cos(arcs[6][0])), rel=4e-3)
+    assert float(stored[7]["length"]) == pytest.approx(2 * arcs[7][0], rel=2e-3)
 
 
 def test_the_project_has_its_measurements_when_it_is_opened_again(seen):
     assert [row[:5] for row in seen["reopened"]] == [row[:5] for row in seen["again"]]
     # The scaled sphere was not saved.
     assert ["before an edit" in row[5] for row in seen["reopened"]] == [False] * 3 + [True] * 4
-    lines = [line.split() for line in seen["stored"].splitlines() if line.startswith("measurement ")]
-    hidden = [words[1] for words in lines if words[-1] == "1"]
-    assert hidden == ["5"]
+    assert [number for number, row in measurements(seen["stored"]).items() if row["hidden"] == "1"] == [5]
 
 
 def test_the_file_is_written_beside_a_project_that_is_saved(seen):
