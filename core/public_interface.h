@@ -181,6 +181,14 @@ struct Asked {
 
   inner::SurfacePoint in(const SurfacePoint& point) const { return point_in(mesh, point); }
   inner::PointList in(const PointList& points) const { return points_in(mesh, points); }
+  std::vector<std::vector<inner::SurfacePoint>> in(
+      const std::vector<std::vector<SurfacePoint>>& lines) const {
+    std::vector<std::vector<inner::SurfacePoint>> inside(lines.size());
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      for (const SurfacePoint& point : lines[k]) inside[k].push_back(in(point));
+    }
+    return inside;
+  }
 };
 
 /// What body(asked) returns for the surface as it is now.

@@ -597,12 +597,7 @@ CutMesh cut_at_levels(const Surface& surface, const std::vector<double>& field,
 CutMesh cut_along(const Surface& surface, const std::vector<std::vector<SurfacePoint>>& lines,
                   const TaskOptions& options) {
   return ask(surface, options, [&](const Asked& at) {
-    std::vector<std::vector<inner::SurfacePoint>> inside;
-    for (const auto& line : lines) {
-      inside.emplace_back();
-      for (const SurfacePoint& point : line) inside.back().push_back(at.in(point));
-    }
-    return cut_out(at.mesh, inner::cut_along(at.mesh, inside, at.options.progress));
+    return cut_out(at.mesh, inner::cut_along(at.mesh, at.in(lines), at.options.progress));
   });
 }
 

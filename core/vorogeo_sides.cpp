@@ -8,27 +8,12 @@
 namespace vorogeo {
 inline namespace v0 {
 
-namespace {
-
-using Lines = std::vector<std::vector<SurfacePoint>>;
-
-std::vector<std::vector<inner::SurfacePoint>> lines_in(const Mesh& mesh, const Lines& lines) {
-  std::vector<std::vector<inner::SurfacePoint>> inside;
-  for (const auto& line : lines) {
-    inside.emplace_back();
-    for (const SurfacePoint& point : line) inside.back().push_back(point_in(mesh, point));
-  }
-  return inside;
-}
-
-}  // namespace
-
-std::vector<double> signed_distance(const Surface& surface, const Lines& curves,
+std::vector<double> signed_distance(const Surface& surface,
+                                    const std::vector<std::vector<SurfacePoint>>& curves,
                                     const SignedDistanceOptions& options) {
   return ask(surface, TaskOptions{Answer::exact, options.progress}, [&](const Asked& at) {
-    const auto lines = lines_in(at.mesh, curves);
     return InputMap(at.mesh).of_vertices(
-        inner::signed_distance(at.surface, lines, options.limit, at.options));
+        inner::signed_distance(at.surface, at.in(curves), options.limit, at.options));
   });
 }
 

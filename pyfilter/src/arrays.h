@@ -87,6 +87,7 @@ auto to_numpy(std::vector<Value>&& values) {
 /// By point its vertex, or -1 and a face (a row of the faces given) with three weights. Faces and weights are
 /// empty if all points are vertices.
 using PointArrays = std::tuple<IdArray, IdArray, VertexArray>;
+using OptionalPoints = std::optional<PointArrays>;
 
 /// \throw InvalidInput for a row of the faces that was left out.
 inline PointList points_from(const Mesh& mesh, const PointArrays& arrays) {

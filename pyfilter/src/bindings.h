@@ -42,6 +42,9 @@ struct HeldSurface {
 
   const Mesh& mesh() const { return *held_mesh.mesh; }
   PointList points(const PointArrays& arrays) const { return points_from(mesh(), arrays); }
+  std::optional<PointList> points(const OptionalPoints& arrays) const {
+    return arrays ? std::optional(points(*arrays)) : std::nullopt;
+  }
 };
 
 /// Values at the centres of faces, by row of the faces given; no_index for a face that was left out.

@@ -37,8 +37,6 @@ namespace vorogeo::python {
 
 namespace {
 
-using OptionalPoints = std::optional<PointArrays>;
-
 // ---- Matrices and neighbours
 
 template <class Entry>
@@ -83,15 +81,12 @@ auto nearest(const TaskOptions& options, const HeldSurface& held, const PointArr
 
 // ---- Curves
 
-auto through(const TaskOptions& options, const HeldSurface& held, const PointArrays& points, bool closed) {
+/// The path that a task finds by points.
+template <auto task, class... Arguments>
+auto path_by(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
+             Arguments... arguments) {
   PathArrays arrays;
-  arrays.add(held.mesh(), path_through(*held.surface, held.points(points), closed, options));
-  return arrays.take();
-}
-
-auto tight(const TaskOptions& options, const HeldSurface& held, const PointArrays& curve, bool closed) {
-  PathArrays arrays;
-  arrays.add(held.mesh(), tighten(*held.surface, held.points(curve), closed, options));
+  arrays.add(held.mesh(), task(*held.surface, held.points(points), arguments..., options));
   return arrays.take();
 }
 
@@ -217,21 +212,15 @@ auto cut_along_lines(const TaskOptions& options, const HeldSurface& held, const 
 
 /// Area, perimeter, corners, angles, curvature, what Gauss-Bonnet leaves, vertices, faces; then the legs as
 /// paths.
-auto polygon_arrays(const HeldSurface& held, GeodesicPolygon found) {
+template <auto task>
+auto polygon_by(const TaskOptions& options, const HeldSurface& held, const PointArrays& points) {
+  GeodesicPolygon found = task(*held.surface, held.points(points), options);
   PathArrays legs;
   for (const ExactPath& leg : found.legs) legs.add(held.mesh(), leg);
   return std::tuple_cat(
       std::tuple(found.area, found.perimeter, std::move(found.corners), std::move(found.angles),
                  found.curvature, found.gauss_bonnet, std::move(found.vertices), std::move(found.faces)),
       legs.take());
-}
-
-auto polygon(const TaskOptions& options, const HeldSurface& held, const PointArrays& points) {
-  return polygon_arrays(held, geodesic_polygon(*held.surface, held.points(points), options));
-}
-
-auto hull(const TaskOptions& options, const HeldSurface& held, const PointArrays& points) {
-  return polygon_arrays(held, convex_hull(*held.surface, held.points(points), options));
 }
 
 /// Columns: areas, lengths of borders, volumes.
@@ -301,9 +290,7 @@ auto axes_at(const TaskOptions&, const HeldSurface& held, const PointArrays& poi
 /// Vectors and distances. Without `targets`, of all vertices.
 auto logarithms(const TaskOptions& options, const HeldSurface& held, const PointArrays& point,
                 const OptionalPoints& targets, double max_distance) {
-  std::optional<PointList> ends;
-  if (targets) ends = held.points(*targets);
-  auto found = log_map(*held.surface, held.points(point)[0], ends, max_distance, options);
+  auto found = log_map(*held.surface, held.points(point)[0], held.points(targets), max_distance, options);
   if (targets) return std::tuple(std::move(found.vector), std::move(found.distance));
   const InputMap map(held.mesh());
   return std::tuple(map.of_vertices(std::move(found.vector)), map.of_vertices(std::move(found.distance)));
@@ -312,9 +299,7 @@ auto logarithms(const TaskOptions& options, const HeldSurface& held, const Point
 /// Vectors. Without `points`, of all vertices.
 auto gradients(const TaskOptions& options, const HeldSurface& held, const PointArrays& sources,
                const OptionalPoints& points, double max_distance) {
-  std::optional<PointList> at;
-  if (points) at = held.points(*points);
-  auto found = gradient(*held.surface, held.points(sources), at, max_distance, options);
+  auto found = gradient(*held.surface, held.points(sources), held.points(points), max_distance, options);
   return std::tuple(points ? std::move(found) : InputMap(held.mesh()).of_vertices(std::move(found)));
 }
 
@@ -357,27 +342,6 @@ auto stepped(const TaskOptions&, const HeldSurface& held, const PointArrays& pat
   return std::tuple(columns_of(held, steps_along(mesh, held.points(path), wanted)));
 }
 
-auto bezier_curve(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
-                  Index samples) {
-  PathArrays arrays;
-  arrays.add(held.mesh(), bezier(*held.surface, held.points(points), samples, options));
-  return arrays.take();
-}
-
-auto b_spline_curve(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
-                    bool closed, Index levels) {
-  PathArrays arrays;
-  arrays.add(held.mesh(), b_spline(*held.surface, held.points(points), closed, levels, options));
-  return arrays.take();
-}
-
-auto spline_curve(const TaskOptions& options, const HeldSurface& held, const PointArrays& points, bool closed,
-                  Index samples) {
-  PathArrays arrays;
-  arrays.add(held.mesh(), spline(*held.surface, held.points(points), closed, samples, options));
-  return arrays.take();
-}
-
 // ---- Means and clusters
 
 /// `power`: two for a mean, one for a median.
@@ -398,10 +362,8 @@ auto medoid_of(const TaskOptions& options, const HeldSurface& held, const PointA
 /// Centres, labels, energy by round. Without `points`, of all vertices.
 auto clusters(const TaskOptions& options, const HeldSurface& held, Index count, const OptionalPoints& points,
               const ValueArray& weights, int power, Index rounds, std::uint64_t seed) {
-  std::optional<PointList> list;
-  if (points) list = held.points(*points);
-  auto found = clusters_of(*held.surface, count, list, values_of(weights), static_cast<Power>(power), rounds,
-                           seed, options);
+  auto found = clusters_of(*held.surface, count, held.points(points), values_of(weights),
+                           static_cast<Power>(power), rounds, seed, options);
   return std::tuple(columns_of(held, found.centres), std::move(found.label), std::move(found.energy));
 }
 
@@ -432,13 +394,9 @@ auto cut_locus_of(const TaskOptions& options, const HeldSurface& held, const Poi
                   double min_angle, double max_distance) {
   auto found = cut_locus(*held.surface, held.points(sources), min_angle, max_distance, options);
   std::vector<Point> positions;
-  PointColumns columns;
-  for (const SurfacePoint& point : found.points) {
-    positions.push_back(position_of(held.mesh(), point));
-    columns.add(held.mesh(), point);
-  }
+  for (const SurfacePoint& point : found.points) positions.push_back(position_of(held.mesh(), point));
   return std::tuple(std::move(positions), std::move(found.edges), std::move(found.distance),
-                    std::move(found.angle), std::move(columns));
+                    std::move(found.angle), columns_of(held, found.points));
 }
 
 /// Coordinates by vertex, stretch by face that was given.
@@ -459,8 +417,8 @@ void bind_tasks(nb::class_<HeldSurface>& surface) {
   bind_question(surface, "fill_fields", &fill_fields<float>);
   bind_question(surface, "pairs_within", &within);
   bind_question(surface, "nearest", &nearest);
-  bind_question(surface, "path_through", &through);
-  bind_question(surface, "tighten", &tight);
+  bind_question(surface, "path_through", &path_by<path_through, bool>);
+  bind_question(surface, "tighten", &path_by<tighten, bool>);
   bind_question(surface, "shortest_loop", &loop_through);
   bind_question(surface, "girth", &girth_at);
   bind_question(surface, "profile", &profile_of);
@@ -474,8 +432,8 @@ void bind_tasks(nb::class_<HeldSurface>& surface) {
   bind_question(surface, "cut_along", &cut_along_lines);
   bind_question(surface, "region_areas", &areas_of_regions);
   bind_question(surface, "enclosed_area", &area_inside);
-  bind_question(surface, "polygon", &polygon);
-  bind_question(surface, "convex_hull", &hull);
+  bind_question(surface, "polygon", &polygon_by<geodesic_polygon>);
+  bind_question(surface, "convex_hull", &polygon_by<convex_hull>);
   bind_question(surface, "set_distances", &distances_of_sets);
   bind_question(surface, "eccentricity", &eccentricity);
   bind_question(surface, "extent", &extent);
@@ -488,9 +446,9 @@ void bind_tasks(nb::class_<HeldSurface>& surface) {
   bind_question(surface, "transport_from", &carried_to_vertices);
   bind_question(surface, "points_along", &along);
   bind_question(surface, "steps_along", &stepped);
-  bind_question(surface, "bezier", &bezier_curve);
-  bind_question(surface, "b_spline", &b_spline_curve);
-  bind_question(surface, "spline", &spline_curve);
+  bind_question(surface, "bezier", &path_by<bezier, Index>);
+  bind_question(surface, "b_spline", &path_by<b_spline, bool, Index>);
+  bind_question(surface, "spline", &path_by<spline, bool, Index>);
   bind_question(surface, "centre", &centre);
   bind_question(surface, "medoid", &medoid_of);
   bind_question(surface, "clusters", &clusters);
