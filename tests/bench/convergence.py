@@ -110,7 +110,7 @@ def errors_by_metric(mesh: meshes.Mesh, length: Field) -> dict[str, Errors]:
     tensor = STRETCH @ STRETCH
     x = vertices[:, 0]
     cost = 1 + 3 * (x - x.min()) / np.ptp(x)
-    *finer, cost_there = quartered(*quartered(*in_parts(vertices, faces, cost)))
+    *finer, cost_there = meshes.quartered(*meshes.quartered(*in_parts(vertices, faces, cost)))
     varying = vorogeo.exact_distance_field(*finer, 0, metric=vorogeo.VertexCost(cost_there))[:n]
     tests: dict[str, tuple[Any, Floats]] = {
         "constant `FaceCost`": (vorogeo.FaceCost(np.full(m, 3.0)), 3 * length[0]),
@@ -131,16 +131,3 @@ def in_parts(vertices: Floats, faces: NDArray[np.int32], cost: Floats) -> tuple[
         rows.append((rows[a] + rows[b]) / 2)
     found = np.array(rows)
     return found[:, :3].copy(), splits.faces, found[:, 3].copy()
-
-
-def quartered(vertices: Floats, faces: NDArray[np.int32], cost: Floats) -> tuple[Floats, NDArray[np.int32], Floats]:
-    """Each face in four, with the same linear cost on it."""
-    ends = np.sort(faces[:, [1, 2, 2, 0, 0, 1]].reshape(-1, 2), axis=1)
-    edges, of_side = np.unique(ends, axis=0, return_inverse=True)
-    (a, b, c), (x, y, z) = faces.T, len(vertices) + of_side.reshape(-1, 3).T
-    parts = [np.column_stack(part) for part in ((a, z, y), (b, x, z), (c, y, x), (x, y, z))]
-    return (
-        np.r_[vertices, vertices[edges].mean(axis=1)],
-        np.concatenate(parts).astype(np.int32),
-        np.r_[cost, cost[edges].mean(axis=1)],
-    )

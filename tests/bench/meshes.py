@@ -78,6 +78,21 @@ def subdivide(mesh_set: Any, times: int) -> None:
     mesh_set.meshing_surface_subdivision_loop(iterations=times, threshold=pymeshlab.PureValue(0))
 
 
+def quartered(
+    vertices: NDArray[np.float64], faces: NDArray[np.int32], values: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.int32], NDArray[np.float64]]:
+    """Each face in four, with the same linear values on it."""
+    ends = np.sort(faces[:, [1, 2, 2, 0, 0, 1]].reshape(-1, 2), axis=1)
+    edges, of_side = np.unique(ends, axis=0, return_inverse=True)
+    (a, b, c), (x, y, z) = faces.T, len(vertices) + of_side.reshape(-1, 3).T
+    parts = [np.column_stack(part) for part in ((a, z, y), (b, x, z), (c, y, x), (x, y, z))]
+    return (
+        np.r_[vertices, vertices[edges].mean(axis=1)],
+        np.concatenate(parts).astype(np.int32),
+        np.r_[values, values[edges].mean(axis=1)],
+    )
+
+
 def write_raw(mesh: Mesh, file: Path) -> Path:
     """Write the raw file that raw_mesh.h describes."""
     file.parent.mkdir(parents=True, exist_ok=True)

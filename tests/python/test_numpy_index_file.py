@@ -46,35 +46,3 @@ def test_bad_file_names(index, file):
         index.save(file)
     with pytest.raises(ValueError, match="file: "):
         vorogeo.GeodesicIndex.load(file, *MESH)
-
-
-def unfinished(file):
-    return file.with_name(file.name + ".unfinished")
-
-
-def test_a_build_that_was_stopped_goes_on(saved, tmp_path):
-    file = tmp_path / "a.vgi"
-    seen = []
-
-    def until(text):
-        def report(fraction, now):
-            seen.append((fraction, now))
-            return not now.startswith(text)
-
-        return report
-
-    for phase in ("Computing", "Composing", "Tabulating", "Placing landmarks"):
-        with pytest.raises(vorogeo.Cancelled):
-            vorogeo.GeodesicIndex(*MESH, patches=(3, 3), file=file, progress=until(phase))
-        assert unfinished(file).exists()
-        assert not file.exists()
-        with pytest.raises(vorogeo.IndexFileError, match="is not an index file"):
-            vorogeo.GeodesicIndex.load(unfinished(file), *MESH)
-    del seen[:]
-    vorogeo.GeodesicIndex(*MESH, patches=(3, 3), file=file, progress=until("nothing"))
-    # All tables were there: each of these phases begins at its end.
-    composing = [fraction for fraction, text in seen if text.startswith("Composing")]
-    assert composing
-    assert min(composing) > 0.849
-    assert file.read_bytes() == saved.read_bytes()
-    assert not unfinished(file).exists()

@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import pickle
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
 import vorogeo
 
 from sample_meshes import plane_grid
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "bench"))
+import meshes
 
 
 @pytest.fixture(scope="module")
@@ -18,19 +23,9 @@ def hill():
     cost = 1 + 1e4 * np.exp(-((vertices[:, :2] - 0.5) ** 2).sum(axis=1) / 0.02)
     fine = vertices, faces, cost
     for _ in range(3):
-        fine = quartered(*fine)
+        fine = meshes.quartered(*fine)
     exact = vorogeo.exact_distance_field(*fine[:2], 0, metric=vorogeo.VertexCost(fine[2]))[: len(vertices)]
     return vertices, faces, vorogeo.VertexCost(cost), exact
-
-
-def quartered(vertices, faces, values):
-    ends = np.sort(faces[:, [1, 2, 2, 0, 0, 1]].reshape(-1, 2), axis=1)
-    edges, of_side = np.unique(ends, axis=0, return_inverse=True)
-    a, b, c = faces.T
-    x, y, z = len(vertices) + of_side.reshape(-1, 3).T
-    parts = [(a, z, y), (b, x, z), (c, y, x), (x, y, z)]
-    smaller = np.concatenate([np.column_stack(part) for part in parts])
-    return np.r_[vertices, vertices[edges].mean(axis=1)], smaller, np.r_[values, values[edges].mean(axis=1)]
 
 
 @pytest.fixture(scope="module")

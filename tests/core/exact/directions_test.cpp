@@ -346,46 +346,6 @@ TEST(Directions, AreTheSameFromAnyNumberOfThreads) {
   }
 }
 
-// ---- They belong to the surface, not to its place in space or the numbers of its elements
-
-TEST(Directions, DoNotChangeWhenTheSurfaceMoves) {
-  const auto soup = test::torus(20, 12, 2.0, 0.7);
-  test::Soup turned = soup;
-  for (Point& p : turned.positions) p = {0.6 * p[0] - 0.8 * p[1] + 3.0, 0.8 * p[0] + 0.6 * p[1], p[2] - 5.0};
-  for (const SurfacePoint& point : test::spread_points(soup)) {
-    const From here(soup, point), there(turned, point);
-    for (Index v = 0; v < here.mesh->vertex_count(); ++v) {
-      if (!here.is_straight_to(v)) continue;
-      // Where two paths are equally long, rounding chooses.
-      expect_at(there.end(here.log(v)), there.mesh->position(v), 1e-9, name(point));
-    }
-  }
-}
-
-TEST(Directions, TurnByOneAngleWhenElementsAreRenumbered) {
-  const auto soup = test::random_sphere(200, 5);
-  const auto count = static_cast<Index>(soup.positions.size());
-  auto renumbered = [&](Index v) { return (7 * v + 3) % count; };
-  test::Soup other;
-  other.positions.resize(count);
-  for (Index v = 0; v < count; ++v) other.positions[renumbered(v)] = soup.positions[v];
-  for (const auto& [a, b, c] : soup.faces)
-    other.faces.push_back({renumbered(b), renumbered(c), renumbered(a)});
-  std::ranges::reverse(other.faces);
-  for (const Index source : {0, 50, 120}) {
-    const From here(soup, SurfacePoint::at_vertex(source));
-    const From there(other, SurfacePoint::at_vertex(renumbered(source)));
-    std::optional<double> turn;
-    for (Index v = 0; v < count; ++v) {
-      if (v == source) continue;
-      const Tangent a = here.log(v), b = there.log(renumbered(v));
-      const double angle = std::atan2(b[1], b[0]) - std::atan2(a[1], a[0]);
-      if (!turn) turn = angle;
-      EXPECT_LE(turn_between(angle, *turn), 1e-9) << v;
-    }
-  }
-}
-
 // ---- Borders, and where there are no directions
 
 TEST(Straightest, ALineEndsAtTheBorderOrSlidesAlongIt) {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <numeric>
 #include <set>
@@ -47,16 +46,6 @@ double length_of_lines(const test::Soup& soup, const Ridge& ridge) {
   return std::accumulate(ridge.edges.begin(), ridge.edges.end(), 0.0, [&](double sum, const auto& edge) {
     return sum + distance_between(at[edge[0]], at[edge[1]]);
   });
-}
-
-/// How many edges end at each point.
-std::vector<int> degrees(const Ridge& ridge) {
-  std::vector<int> degree(ridge.points.size(), 0);
-  for (const auto& [a, b] : ridge.edges) {
-    ++degree[a];
-    ++degree[b];
-  }
-  return degree;
 }
 
 int component_count(const Ridge& ridge) {
@@ -129,44 +118,6 @@ TEST(CutLocus, OfTheMiddleOfACubesTopIsItsEdgesAndDiagonals) {
   }
 }
 
-TEST(CutLocus, OnABoxIsATreeWhoseLeavesAreItsCorners) {
-  const test::Shape box = test::box({1.0, 1.3, 0.7}, 5);
-  const SurfacePoint source = SurfacePoint::in_face(61, {0.5, 0.3, 0.2});
-  const Ridge ridge = ridge_from(box.soup, source);
-  EXPECT_EQ(component_count(ridge), 1);
-  EXPECT_EQ(ridge.edges.size() + 1, ridge.points.size());
-  const auto degree = degrees(ridge);
-  const auto at = positions_of(box.soup, ridge);
-  int leaves = 0;
-  for (std::size_t p = 0; p < at.size(); ++p) {
-    EXPECT_NEAR(ridge.distance[p], box.distance(source, ridge.points[p]), 1e-9);
-    if (degree[p] != 1) continue;
-    ++leaves;
-    ASSERT_TRUE(ridge.points[p].is_vertex());
-    EXPECT_NEAR(ridge.angle[p], 0.5 * pi, 1e-9);
-  }
-  EXPECT_EQ(leaves, 8);
-}
-
-TEST(CutLocus, OfAConvexSurfaceIsATreeWhoseLeavesAreItsVertices) {
-  for (const test::Soup& soup :
-       {test::icosphere(2), test::random_sphere(300, 7), test::random_sphere(500, 2)}) {
-    for (const Index face : {5, 40, 101}) {
-      const Ridge ridge = ridge_from(soup, SurfacePoint::in_face(face, {0.52, 0.31, 0.17}));
-      EXPECT_EQ(ridge.points.size(), ridge.edges.size() + 1);
-      EXPECT_EQ(component_count(ridge), 1);
-      const auto degree = degrees(ridge);
-      std::size_t leaves = 0;
-      for (std::size_t p = 0; p < degree.size(); ++p) {
-        if (degree[p] > 1) continue;
-        ++leaves;
-        EXPECT_TRUE(ridge.points[p].is_vertex());
-      }
-      EXPECT_EQ(leaves, soup.positions.size());
-    }
-  }
-}
-
 TEST(CutLocus, OfASphereShrinksToTheOppositePointWithALeastAngle) {
   for (const int level : {2, 3, 4}) {
     Surface surface(test::make_mesh(test::icosphere(level)));
@@ -198,14 +149,6 @@ TEST(CutLocus, OfTwoPointsInAPlaneIsTheLineBetween) {
   const Ridge near = ridge_from(surface, std::vector<Index>{40, 46}, 0.0, 0.7);
   EXPECT_LT(near.points.size(), ridge.points.size());
   EXPECT_LE(std::ranges::max(near.distance), 0.7);
-}
-
-TEST(CutLocus, CrossesEdgesThatLeadStraightToASource) {
-  const auto soup = test::plane_grid(9, 8, 1.8, 1.6).soup;
-  Surface surface(test::make_mesh(soup));
-  const Ridge ridge = ridge_from(surface, std::vector<Index>{42, 47});  // 2 and 7 steps from the left side
-  EXPECT_EQ(component_count(ridge), 1);
-  EXPECT_NEAR(length_of_lines(soup, ridge), 1.6, 1e-9);
 }
 
 TEST(CutLocus, RefusesByName) {

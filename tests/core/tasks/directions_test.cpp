@@ -171,16 +171,6 @@ TEST(LogMap, FromAnIndexOfAHostileMeshReachesWhatExactOnesReach) {
   }
 }
 
-TEST(LogMap, IsNaNWhereNoPathLeads) {
-  const auto soup = test::two_components(plane(), plane());
-  Surface surface(test::make_mesh(soup));
-  const LogMap found = log_map(surface, SurfacePoint::at_vertex(40), {}, unreachable, {});
-  const auto count = static_cast<Index>(plane().positions.size());
-  EXPECT_TRUE(std::isfinite(found.vector[count - 1][0]));
-  EXPECT_TRUE(std::isnan(found.vector[count][0]) && std::isnan(found.vector[count][1]));
-  EXPECT_EQ(found.distance[count], unreachable);
-}
-
 TEST(LogMap, InTwiceTheUnitHasTwiceTheLength) {
   Surface space(test::make_mesh(plane()));
   Surface dear(with_vertex_cost(plane(), 2.0));
