@@ -10,9 +10,9 @@
 #include "exact/exact_geometry.h"
 #include "methods/chen_han.h"
 #include "methods/method.h"
-#include "methods/vertex_search.h"
 #include "support/parallel.h"
 #include "support/progress.h"
+#include "support/vertex_search.h"
 
 namespace vorogeo {
 

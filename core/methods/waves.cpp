@@ -6,9 +6,9 @@
 #include "mesh/surface_locator.h"
 #include "mesh/vectors.h"
 #include "methods/method.h"
-#include "methods/vertex_search.h"
 #include "support/error.h"
 #include "support/progress.h"
+#include "support/vertex_search.h"
 
 namespace vorogeo {
 

@@ -2,9 +2,8 @@
 #include "tasks/clusters.h"
 
 #include <algorithm>
-#include <functional>
+#include <array>
 #include <numeric>
-#include <queue>
 #include <random>
 #include <set>
 #include <string>
@@ -13,6 +12,7 @@
 #include "mesh/mesh_input.h"
 #include "support/memory.h"
 #include "support/parallel.h"
+#include "support/vertex_search.h"
 #include "tasks/spread_points.h"
 
 namespace vorogeo {
@@ -83,24 +83,15 @@ std::vector<Index> seeds(Index count, std::span<const double> weights, Power pow
 
 /// Lowers distances along edges, by vertex, to those from one more vertex.
 void lower_along_edges(const Mesh& mesh, Index from, std::vector<double>& distance) {
-  using Entry = std::pair<double, Index>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> next;
-  const auto reach = [&](Index vertex, double walked) {
-    if (!(walked < distance[vertex])) return;
-    distance[vertex] = walked;
-    next.emplace(walked, vertex);
-  };
-  reach(mesh.representative(from), 0.0);
-  while (!next.empty()) {
-    const auto [walked, vertex] = next.top();
-    next.pop();
-    if (walked > distance[vertex]) continue;
-    for (const Index h : mesh.corners(vertex)) {
+  VertexSearch search(std::move(distance), std::array{mesh.representative(from)});
+  for (Index v = search.settle_next(); v != no_index; v = search.settle_next()) {
+    for (const Index h : mesh.corners(v)) {
       const Index before = Mesh::previous_in_face(h);
-      reach(mesh.head(h), walked + mesh.edge_length(mesh.edge_of(h)));
-      reach(mesh.tail(before), walked + mesh.edge_length(mesh.edge_of(before)));
+      search.lower(mesh.head(h), search.distance(v) + mesh.edge_length(mesh.edge_of(h)));
+      search.lower(mesh.tail(before), search.distance(v) + mesh.edge_length(mesh.edge_of(before)));
     }
   }
+  distance = search.distances();
   if (!mesh.has_merged_vertices()) return;
   for (Index v = 0; v < mesh.vertex_count(); ++v) distance[v] = distance[mesh.representative(v)];
 }

@@ -12,6 +12,7 @@
 #include "mesh/metric.h"
 #include "query/surface.h"
 #include "support/error.h"
+#include "support/refusal.h"
 #include "support/shapes.h"
 #include "tasks/bands.h"
 #include "tasks/cut.h"
@@ -286,12 +287,7 @@ class Ask {
 /// The sentence with which a question is refused; empty if it is answered.
 template <class Question>
 std::string refusal(Question&& question) {
-  try {
-    question();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return {};
+  return test::refusal<Error>(question);
 }
 
 }  // namespace vorogeo::contract

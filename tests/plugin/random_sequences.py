@@ -20,6 +20,7 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 
 import conftest
+import filters
 import numpy as np
 import pymeshlab
 import support
@@ -104,11 +105,11 @@ def layer_state(mesh: pymeshlab.Mesh) -> dict[str, np.ndarray]:
 
 
 CHANGES = {
-    support.VERTEX_COLOR: "vertex colours",
-    support.VERTEX_QUALITY: "quality",
-    support.FACE_COLOR: "face colours",
-    support.VERTEX_SELECTION: "vertex selection",
-    support.FACE_SELECTION: "face selection",
+    filters.VERTEX_COLOR: "vertex colours",
+    filters.VERTEX_QUALITY: "quality",
+    filters.FACE_COLOR: "face colours",
+    filters.VERTEX_SELECTION: "vertex selection",
+    filters.FACE_SELECTION: "face selection",
 }
 
 
@@ -279,7 +280,7 @@ class Sequence:
 
     def filter(self) -> None:
         """A filter of the plugin, which may be refused."""
-        name = str(self.random.choice(list(support.FILTERS)))
+        name = str(self.random.choice(list(filters.FILTERS)))
         parameters = self.parameters(name)
         shown = {k: v.value() if hasattr(v, "value") else v for k, v in parameters.items()}
         self.say(f"{name} {shown} on layer {self.ms.current_mesh_id()}")
@@ -300,7 +301,7 @@ class Sequence:
                 raise FindingError("a refused filter added a layer") from None
             return
         self.counts["answered"] += 1
-        self.require_same(before, current, support.FILTERS[name][1])
+        self.require_same(before, current, filters.FILTERS[name][1])
         for mesh in self.layers():
             if mesh.id() in before:
                 continue
@@ -350,10 +351,10 @@ class Sequence:
             return
         near = np.isfinite(exact)
         for name, method, allowed in [
-            (support.EXACT_FROM_POINT, {}, 1e-6),
-            (support.FROM_POINT, {"method": "exact"}, 1e-6),
-            (support.FROM_POINT, {}, 0.5),
-            (support.FROM_POINT, {"method": "quick"}, np.inf),
+            (filters.EXACT_FROM_POINT, {}, 1e-6),
+            (filters.FROM_POINT, {"method": "exact"}, 1e-6),
+            (filters.FROM_POINT, {}, 0.5),
+            (filters.FROM_POINT, {"method": "quick"}, np.inf),
         ]:
             self.ms.apply_filter(name, vertex_index=source, **method)
             found = support.field(self.ms)

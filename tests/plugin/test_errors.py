@@ -2,64 +2,14 @@
 
 from __future__ import annotations
 
+import filters
 import numpy as np
 import pymeshlab
 import pytest
-from support import (
-    ALL_FILTERS,
-    AREA,
-    BAND,
-    COMPARISON,
-    CUT,
-    CUT_CURVE,
-    CUT_LOCUS,
-    DIRECTIONS,
-    DISK,
-    EXACT_FROM_POINT,
-    EXTENT,
-    FARTHEST,
-    FIELDS,
-    FROM_A_POINT,
-    FROM_A_SELECTION,
-    FROM_BORDER,
-    FROM_EDGES,
-    FROM_LAYER,
-    GIRTH,
-    INDEX,
-    ISOLINES,
-    LLOYD,
-    LOAD_INDEX,
-    LOOP,
-    MATRIX,
-    METHOD_TABLE,
-    NEAREST,
-    OF_TASK_POINTS,
-    PAIRS_WITHIN,
-    PATCHES,
-    PATH,
-    PATH_THROUGH,
-    POISSON,
-    POLYGON,
-    PROFILE,
-    REGION,
-    SAVE_INDEX,
-    SETS,
-    SIGNED,
-    SMOOTH,
-    TIGHT,
-    TWO_POINTS,
-    VORONOI,
-    fails_and_changes_nothing,
-    grid,
-    layer_count,
-    length,
-    mesh_set,
-    select_vertices,
-    sphere,
-)
+from support import fails_and_changes_nothing, grid, layer_count, length, mesh_set, select_vertices, sphere
 
 
-@pytest.mark.parametrize("name", ALL_FILTERS)
+@pytest.mark.parametrize("name", filters.ALL_FILTERS)
 def test_what_is_no_surface(name):
     with pytest.raises(pymeshlab.PyMeshLabException):
         pymeshlab.MeshSet().apply_filter(name)
@@ -113,8 +63,8 @@ BAD_POINTS = [
     ({"point_layer": 2}, "Layer 2 has no vertex"),
 ]
 REFUSED = [
-    *[(INDEX, *row) for row in OF_INDEX],
-    *[(PATCHES, {"layer": n}, f"(layer) is {n}. The index has two layers") for n in (0, 3, -1)],
+    *[(filters.INDEX, *row) for row in OF_INDEX],
+    *[(filters.PATCHES, {"layer": n}, f"(layer) is {n}. The index has two layers") for n in (0, 3, -1)],
     # The parameter is named as the window shows it and as scripts call it.
     *[
         (
@@ -122,22 +72,26 @@ REFUSED = [
             {"vertex_index": n},
             f'"Start vertex" (vertex_index) is {n}, but the vertices of the current layer are numbered from 0 to 15',
         )
-        for name in (*FROM_A_POINT, COMPARISON, DIRECTIONS, GIRTH, LOOP)
+        for name in (*filters.FROM_A_POINT, filters.COMPARISON, filters.DIRECTIONS, filters.GIRTH, filters.LOOP)
         for n in (-2, 16, 2**31 - 1)
     ],
     *[
         (name, {"start_point": [0, np.nan, 0]}, "(start_point) has a coordinate that is NaN")
-        for name in (*FROM_A_POINT, DIRECTIONS, GIRTH, LOOP)
+        for name in (*filters.FROM_A_POINT, filters.DIRECTIONS, filters.GIRTH, filters.LOOP)
     ],
     *[
         (name, {"max_distance": length(value)}, f"(max_distance) is {value}")
-        for name in FIELDS
+        for name in filters.FIELDS
         for value in (-0.5, np.nan, np.inf)
     ],
-    *[(TWO_POINTS, {end: n}, f"({end}) is {n}, but the vertices") for end in ("source", "target") for n in (-2, 16)],
+    *[
+        (filters.TWO_POINTS, {end: n}, f"({end}) is {n}, but the vertices")
+        for end in ("source", "target")
+        for n in (-2, 16)
+    ],
     *[
         (name, parameters, message)
-        for name in (PATH, TWO_POINTS)
+        for name in (filters.PATH, filters.TWO_POINTS)
         for parameters, message in [
             ({"surface_points": "1; 2; 3"}, "holds 3 points. Give two"),
             ({"source": 0, "target": 5, "method": "quick"}, "The quick method computes fields only"),
@@ -147,10 +101,10 @@ REFUSED = [
             ),
         ]
     ],
-    *[(name, row, message) for name in OF_TASK_POINTS for row, message in BAD_POINTS],
+    *[(name, row, message) for name in filters.OF_TASK_POINTS for row, message in BAD_POINTS],
     *[
         (name, parameters, message)
-        for name in (FROM_LAYER, NEAREST, SETS)
+        for name in (filters.FROM_LAYER, filters.NEAREST, filters.SETS)
         for parameters, message in [
             ({"source_layer": 7}, "(source_layer) is 7, but there is no such layer"),
             ({"source_layer": 0}, "the current layer itself"),
@@ -158,83 +112,99 @@ REFUSED = [
             ({"source_layer": 2}, "Layer 2 has no vertex"),
         ]
     ],
-    (FROM_EDGES, {}, "No edge is selected"),
-    (FROM_EDGES, {"from_border": True, "spacing": NEGATIVE}, "(spacing) is -1"),
-    (NEAREST, {"source_layer": 1, "neighbour_number": 0}, "(neighbour_number) is 0"),
-    (NEAREST, {"source_layer": 1, "matrix_file": "/nowhere/x.npy"}, "no folder"),
-    (MATRIX, {"matrix_file": "/nowhere/x.npy"}, "cannot be written"),
-    (PAIRS_WITHIN, {"radius": NEGATIVE}, "(radius) is -1"),
-    (POISSON, {"radius": length(0)}, "(radius) is 0"),
-    (POISSON, {"seed": -1}, "(seed) is -1"),
-    (FARTHEST, {"sample_number": 0}, "(sample_number) is 0"),
-    (FARTHEST, {"radius": NEGATIVE}, "(radius) is -1"),
-    (LLOYD, {"rounds": -1}, "(rounds) is -1"),
-    *[(name, {"vertex_index": 9999}, "(vertex_index) is 9999") for name in (DISK, AREA)],
-    *[(name, {"radius": NEGATIVE}, "(radius) is -1") for name in (DISK, AREA, DIRECTIONS)],
-    (EXTENT, {"fields": 1}, "(fields) is 1"),
-    *[(name, {"values": "1 two"}, "(values) holds 'two'") for name in (ISOLINES, CUT)],
-    *[(name, {"line_number": 0}, "(line_number) is 0") for name in (ISOLINES, CUT)],
-    (PATH_THROUGH, {}, "There are 1 points to pass through; give at least two"),
-    (GIRTH, {"vertex_index": 5}, "is not closed: it meets the border at the edge between"),
-    (GIRTH, {"vertex_index": 5, "normal": [0, 0, 1]}, "The plane only touches the surface at vertex 5"),
-    (GIRTH, {"vertex_index": 5, "normal": [np.nan, 0, 0]}, "The normal of the plane has length nan"),
-    (LOOP, {"vertex_index": 5}, "Every loop through vertex 5 contracts to it"),
+    (filters.FROM_EDGES, {}, "No edge is selected"),
+    (filters.FROM_EDGES, {"from_border": True, "spacing": NEGATIVE}, "(spacing) is -1"),
+    (filters.NEAREST, {"source_layer": 1, "neighbour_number": 0}, "(neighbour_number) is 0"),
+    (filters.NEAREST, {"source_layer": 1, "matrix_file": "/nowhere/x.npy"}, "no folder"),
+    (filters.MATRIX, {"matrix_file": "/nowhere/x.npy"}, "cannot be written"),
+    (filters.PAIRS_WITHIN, {"radius": NEGATIVE}, "(radius) is -1"),
+    (filters.POISSON, {"radius": length(0)}, "(radius) is 0"),
+    (filters.POISSON, {"seed": -1}, "(seed) is -1"),
+    (filters.FARTHEST, {"sample_number": 0}, "(sample_number) is 0"),
+    (filters.FARTHEST, {"radius": NEGATIVE}, "(radius) is -1"),
+    (filters.LLOYD, {"rounds": -1}, "(rounds) is -1"),
+    *[(name, {"vertex_index": 9999}, "(vertex_index) is 9999") for name in (filters.DISK, filters.AREA)],
+    *[(name, {"radius": NEGATIVE}, "(radius) is -1") for name in (filters.DISK, filters.AREA, filters.DIRECTIONS)],
+    (filters.EXTENT, {"fields": 1}, "(fields) is 1"),
+    *[(name, {"values": "1 two"}, "(values) holds 'two'") for name in (filters.ISOLINES, filters.CUT)],
+    *[(name, {"line_number": 0}, "(line_number) is 0") for name in (filters.ISOLINES, filters.CUT)],
+    (filters.PATH_THROUGH, {}, "There are 1 points to pass through; give at least two"),
+    (filters.GIRTH, {"vertex_index": 5}, "is not closed: it meets the border at the edge between"),
+    (filters.GIRTH, {"vertex_index": 5, "normal": [0, 0, 1]}, "The plane only touches the surface at vertex 5"),
+    (filters.GIRTH, {"vertex_index": 5, "normal": [np.nan, 0, 0]}, "The normal of the plane has length nan"),
+    (filters.LOOP, {"vertex_index": 5}, "Every loop through vertex 5 contracts to it"),
     *[
         (name, {}, "No edge is selected. Select edges, for example with 'Select Crease Edges', or choose a layer")
-        for name in (TIGHT, BAND, CUT_CURVE, PROFILE)
+        for name in (filters.TIGHT, filters.BAND, filters.CUT_CURVE, filters.PROFILE)
     ],
     *[
         (name, {}, 'No face is selected. Select the faces of a region, or choose a layer with a closed curve as "Curve')
-        for name in (SIGNED, REGION)
+        for name in (filters.SIGNED, filters.REGION)
     ],
     *[
         (name, parameters, message)
-        for name in (TIGHT, BAND, CUT_CURVE, SIGNED, PROFILE, REGION, LOOP)
+        for name in (
+            filters.TIGHT,
+            filters.BAND,
+            filters.CUT_CURVE,
+            filters.SIGNED,
+            filters.PROFILE,
+            filters.REGION,
+            filters.LOOP,
+        )
         for parameters, message in [
             ({"curve_layer": 7}, "(curve_layer) is 7, but there is no such layer"),
             ({"curve_layer": 1, "max_snap_distance": NEAR}, "Vertex 0 of layer 1 is 0.5"),
             ({"curve_layer": 2}, "Layer 2 has no vertex"),
         ]
     ],
-    (TIGHT, {"curve_layer": 1}, "The curve has 1 points; give at least two, in order"),
+    (filters.TIGHT, {"curve_layer": 1}, "The curve has 1 points; give at least two, in order"),
     *[
         (name, {"curve_layer": 1}, "There are 1 points to pass through; give at least two")
-        for name in (CUT_CURVE, SIGNED, PROFILE, REGION)
+        for name in (filters.CUT_CURVE, filters.SIGNED, filters.PROFILE, filters.REGION)
     ],
-    (PROFILE, {"csv_file": "/nowhere/table.csv"}, "/nowhere"),
-    (PATH_THROUGH, {"guides": True}, "The curve has 1 points; give at least two, in order"),
-    (PATH_THROUGH, {"surface_points": "0; 3; 15", "guides": True, "closed": True}, "slips off"),
-    (POLYGON, {"surface_points": "0; 3; 2", "convex_hull": True}, "on one line"),
-    (SMOOTH, {}, "There are 1 points for a curve; give at least 2"),
-    (SMOOTH, {"surface_points": "0; 3", "closed": True}, "There are 2 points for a curve; give at least 3"),
-    (SMOOTH, {"surface_points": "0; 3", "samples": 0}, "(samples) is 0. Give 1 or more"),
+    (filters.PROFILE, {"csv_file": "/nowhere/table.csv"}, "/nowhere"),
+    (filters.PATH_THROUGH, {"guides": True}, "The curve has 1 points; give at least two, in order"),
+    (filters.PATH_THROUGH, {"surface_points": "0; 3; 15", "guides": True, "closed": True}, "slips off"),
+    (filters.POLYGON, {"surface_points": "0; 3; 2", "convex_hull": True}, "on one line"),
+    (filters.SMOOTH, {}, "There are 1 points for a curve; give at least 2"),
+    (filters.SMOOTH, {"surface_points": "0; 3", "closed": True}, "There are 2 points for a curve; give at least 3"),
+    (filters.SMOOTH, {"surface_points": "0; 3", "samples": 0}, "(samples) is 0. Give 1 or more"),
     *[
-        (CUT_LOCUS, {"min_angle": degrees}, f"(min_angle) is {degrees}. Give an angle from 0 to 180 degrees")
+        (filters.CUT_LOCUS, {"min_angle": degrees}, f"(min_angle) is {degrees}. Give an angle from 0 to 180 degrees")
         for degrees in (-1, 181, np.nan)
     ],
-    (BAND, {"curve_layer": 1, "width": NEGATIVE}, "(width) is -1"),
-    (BAND, {"curve_layer": 1, "spacing": NEGATIVE}, "(spacing) is -1"),
-    (POLYGON, {}, "A polygon has three points or more; there are 1"),
-    (POLYGON, {"surface_points": "0; 15; 3; 12"}, "Legs 0 and 2 of the polygon cross or touch"),
-    (POLYGON, {"surface_points": "0; 3; 3"}, "Points 1 and 2 of the polygon are the same"),
-    (DIRECTIONS, {"vertex_index": 5, "scale": 0}, '"Scale" (scale) is 0. Give a number above 0'),
-    (DIRECTIONS, {"vertex_index": 5, "scale": np.nan}, "(scale) is nan. Give a number above 0"),
-    (DIRECTIONS, {"vertex_index": 5, "rotation": np.inf}, "(rotation) is inf. Give a finite number"),
-    (DIRECTIONS, {"vertex_index": 5, "rings": -1}, "(rings) is -1. Give 0 or a positive number"),
-    (METHOD_TABLE, {"methods": "walking"}, "The method walking is not known"),
-    (METHOD_TABLE, {"methods": "svg(K)"}, "The list of methods cannot be read"),
-    (METHOD_TABLE, {"sources": 0}, "Give 1 or more"),
-    (METHOD_TABLE, {"csv_file": "/nowhere/table.csv"}, "/nowhere"),
-    (LOAD_INDEX, {"index_file": "/nowhere/missing.vgi"}, "missing.vgi"),
-    (LOAD_INDEX, {"index_file": ""}, "No index file is named"),
-    (SAVE_INDEX, {"index_file": ""}, "No index file is named"),
-    (SAVE_INDEX, {"index_file": "/nowhere/x.vgi"}, "there is no folder"),
-    (SAVE_INDEX, {"index_file": "/tmp/x.vgi"}, "There is no index for this mesh as it is. Run 'Geodesic index: build"),
-    (EXACT_FROM_POINT, {"vertex_index": 0, "gap": NEGATIVE}, '"Bridge gaps up to" (gap) is -1'),
-    (EXACT_FROM_POINT, {"metric": "Slope penalty", "slope_penalty": -1}, "Give a number of at least 0."),
-    (EXACT_FROM_POINT, {"metric": "Slope penalty", "steepest_grade": -1}, "or 0 for any grade."),
-    (EXACT_FROM_POINT, {"metric": "Vertex quality as cost"}, "(metric) is the quality, but vertex 0 has quality 0"),
-    (EXACT_FROM_POINT, {"metric": "Face quality as cost"}, "The faces have no quality"),
+    (filters.BAND, {"curve_layer": 1, "width": NEGATIVE}, "(width) is -1"),
+    (filters.BAND, {"curve_layer": 1, "spacing": NEGATIVE}, "(spacing) is -1"),
+    (filters.POLYGON, {}, "A polygon has three points or more; there are 1"),
+    (filters.POLYGON, {"surface_points": "0; 15; 3; 12"}, "Legs 0 and 2 of the polygon cross or touch"),
+    (filters.POLYGON, {"surface_points": "0; 3; 3"}, "Points 1 and 2 of the polygon are the same"),
+    (filters.DIRECTIONS, {"vertex_index": 5, "scale": 0}, '"Scale" (scale) is 0. Give a number above 0'),
+    (filters.DIRECTIONS, {"vertex_index": 5, "scale": np.nan}, "(scale) is nan. Give a number above 0"),
+    (filters.DIRECTIONS, {"vertex_index": 5, "rotation": np.inf}, "(rotation) is inf. Give a finite number"),
+    (filters.DIRECTIONS, {"vertex_index": 5, "rings": -1}, "(rings) is -1. Give 0 or a positive number"),
+    (filters.METHOD_TABLE, {"methods": "walking"}, "The method walking is not known"),
+    (filters.METHOD_TABLE, {"methods": "svg(K)"}, "The list of methods cannot be read"),
+    (filters.METHOD_TABLE, {"sources": 0}, "Give 1 or more"),
+    (filters.METHOD_TABLE, {"csv_file": "/nowhere/table.csv"}, "/nowhere"),
+    (filters.LOAD_INDEX, {"index_file": "/nowhere/missing.vgi"}, "missing.vgi"),
+    (filters.LOAD_INDEX, {"index_file": ""}, "No index file is named"),
+    (filters.SAVE_INDEX, {"index_file": ""}, "No index file is named"),
+    (filters.SAVE_INDEX, {"index_file": "/nowhere/x.vgi"}, "there is no folder"),
+    (
+        filters.SAVE_INDEX,
+        {"index_file": "/tmp/x.vgi"},
+        "There is no index for this mesh as it is. Run 'Geodesic index: build",
+    ),
+    (filters.EXACT_FROM_POINT, {"vertex_index": 0, "gap": NEGATIVE}, '"Bridge gaps up to" (gap) is -1'),
+    (filters.EXACT_FROM_POINT, {"metric": "Slope penalty", "slope_penalty": -1}, "Give a number of at least 0."),
+    (filters.EXACT_FROM_POINT, {"metric": "Slope penalty", "steepest_grade": -1}, "or 0 for any grade."),
+    (
+        filters.EXACT_FROM_POINT,
+        {"metric": "Vertex quality as cost"},
+        "(metric) is the quality, but vertex 0 has quality 0",
+    ),
+    (filters.EXACT_FROM_POINT, {"metric": "Face quality as cost"}, "The faces have no quality"),
 ]
 
 
@@ -245,14 +215,16 @@ def test_what_is_refused_is_named(ms, name, parameters, message):
     assert layer_count(ms) == 3
 
 
-@pytest.mark.parametrize("name", [*FROM_A_SELECTION, *OF_TASK_POINTS])
+@pytest.mark.parametrize("name", [*filters.FROM_A_SELECTION, *filters.OF_TASK_POINTS])
 def test_an_empty_selection_is_an_error(name):
     ms = mesh_set(*grid(3, 3))
     with fails_and_changes_nothing(ms, "No vertex is selected. Select the vertices "):
         ms.apply_filter(name)
 
 
-@pytest.mark.parametrize(("name", "parameters"), [(FROM_BORDER, {}), (FROM_EDGES, {"from_border": True})])
+@pytest.mark.parametrize(
+    ("name", "parameters"), [(filters.FROM_BORDER, {}), (filters.FROM_EDGES, {"from_border": True})]
+)
 def test_surface_without_border(name, parameters):
     ms = mesh_set(*sphere(1))
     with fails_and_changes_nothing(ms, "The surface has no border"):
@@ -262,7 +234,7 @@ def test_surface_without_border(name, parameters):
 def test_layer_without_vertices(ms):
     ms.set_current_mesh(2)
     with pytest.raises(pymeshlab.PyMeshLabException, match=r"is empty: it has no vertices\. Load or create"):
-        ms.apply_filter(VORONOI)
+        ms.apply_filter(filters.VORONOI)
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
@@ -271,10 +243,10 @@ def test_coordinate_that_is_not_finite(value):
     vertices[6, 1] = value
     ms = mesh_set(vertices, faces)
     with fails_and_changes_nothing(ms, "Vertex 6 has a coordinate that is NaN or infinite"):
-        ms.apply_filter(INDEX)
+        ms.apply_filter(filters.INDEX)
 
 
 def test_a_filter_that_failed_leaves_earlier_results_alone(ms):
-    ms.apply_filter(EXACT_FROM_POINT, vertex_index=3)
+    ms.apply_filter(filters.EXACT_FROM_POINT, vertex_index=3)
     with fails_and_changes_nothing(ms, "(vertex_index) is 99"):
-        ms.apply_filter(EXACT_FROM_POINT, vertex_index=99)
+        ms.apply_filter(filters.EXACT_FROM_POINT, vertex_index=99)

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import filters
 import numpy as np
 import pytest
-from support import EXACT_FROM_POINT, FROM_POINT, INDEX, PATH, TWO_POINTS, field, grid, length, mesh_set
+from support import field, grid, length, mesh_set
 
 GAP = 1e-3
 
@@ -17,7 +18,7 @@ def plates():
     return np.vstack([vertices, moved]), np.vstack([faces, faces + len(vertices)])
 
 
-@pytest.mark.parametrize("name", [EXACT_FROM_POINT, FROM_POINT])
+@pytest.mark.parametrize("name", [filters.EXACT_FROM_POINT, filters.FROM_POINT])
 def test_fields_cross_the_gap(name, plates):
     vertices, faces = plates
     ms = mesh_set(vertices, faces)
@@ -32,12 +33,12 @@ def test_fields_cross_the_gap(name, plates):
 def test_the_index_of_another_gap_is_not_used(plates):
     vertices, faces = plates
     ms = mesh_set(vertices, faces)
-    ms.apply_filter(INDEX, gap=length(2 * GAP))
+    ms.apply_filter(filters.INDEX, gap=length(2 * GAP))
     far = len(vertices) - 1
-    without = ms.apply_filter(TWO_POINTS, source=0, target=far, method="index")
+    without = ms.apply_filter(filters.TWO_POINTS, source=0, target=far, method="index")
     assert without["distance"] == np.inf
     assert without["index_reused"] is False
-    within = ms.apply_filter(TWO_POINTS, source=0, target=far, gap=length(2 * GAP))
+    within = ms.apply_filter(filters.TWO_POINTS, source=0, target=far, gap=length(2 * GAP))
     assert within["distance"] == pytest.approx(np.linalg.norm(vertices[far] - vertices[0]), rel=1e-3)
     assert within["index_reused"] is True
 
@@ -45,7 +46,7 @@ def test_the_index_of_another_gap_is_not_used(plates):
 def test_steps_of_a_path_over_the_gap_are_selected(plates):
     vertices, faces = plates
     ms = mesh_set(vertices, faces)
-    result = ms.apply_filter(PATH, source=0, target=len(vertices) - 1, exact=True, gap=length(2 * GAP))
+    result = ms.apply_filter(filters.PATH, source=0, target=len(vertices) - 1, exact=True, gap=length(2 * GAP))
     assert result["steps_over_gaps"] > 0
     assert GAP <= result["gap_length"] <= 2 * GAP
     assert ms.current_mesh().selected_vertex_number() == result["steps_over_gaps"]

@@ -4,36 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import filters
 import numpy as np
 import pymeshlab
 import pytest
 from support import (
-    ALL_FILTERS,
-    BAND,
-    COMPARISON,
-    CUT,
-    CUT_CURVE,
-    CUT_LOCUS,
-    DIRECTIONS,
-    DISK,
-    FROM_EDGES,
-    FROM_LAYER,
-    GIRTH,
-    ISOLINES,
-    LOOP,
-    MEAN,
-    METHOD_TABLE,
-    NEAREST,
-    PATH,
-    PATH_THROUGH,
-    POLYGON,
-    PROFILE,
-    REGION,
-    SETS,
-    SIGNED,
-    SMOOTH,
-    TIGHT,
-    TWO_POINTS,
     Arrays,
     arrays,
     fails_and_changes_nothing,
@@ -50,17 +25,28 @@ from support import (
 )
 
 NEEDED = {
-    FROM_LAYER: {"source_layer": 1},
-    FROM_EDGES: {"from_border": True},
-    NEAREST: {"source_layer": 1},
-    SETS: {"source_layer": 1},
-    PATH: {"target": 1, "source": 0},
-    TWO_POINTS: {"target": 1, "source": 0},
-    **{name: {"curve_layer": 1} for name in (TIGHT, CUT_CURVE, SIGNED, BAND, PROFILE, REGION, LOOP)},
-    ISOLINES: {"is_distance": False},
-    CUT: {"is_distance": False},
-    METHOD_TABLE: {"methods": "dijkstra"},
-    COMPARISON: {"method": "Shortest edge path (Dijkstra)"},
+    filters.FROM_LAYER: {"source_layer": 1},
+    filters.FROM_EDGES: {"from_border": True},
+    filters.NEAREST: {"source_layer": 1},
+    filters.SETS: {"source_layer": 1},
+    filters.PATH: {"target": 1, "source": 0},
+    filters.TWO_POINTS: {"target": 1, "source": 0},
+    **{
+        name: {"curve_layer": 1}
+        for name in (
+            filters.TIGHT,
+            filters.CUT_CURVE,
+            filters.SIGNED,
+            filters.BAND,
+            filters.PROFILE,
+            filters.REGION,
+            filters.LOOP,
+        )
+    },
+    filters.ISOLINES: {"is_distance": False},
+    filters.CUT: {"is_distance": False},
+    filters.METHOD_TABLE: {"methods": "dijkstra"},
+    filters.COMPARISON: {"method": "Shortest edge path (Dijkstra)"},
 }
 
 
@@ -149,7 +135,7 @@ def refusal(ms: pymeshlab.MeshSet, apply: Callable[[], object], told: str) -> st
 
 
 @pytest.mark.parametrize("layer", LAYERS)
-@pytest.mark.parametrize("name", ALL_FILTERS)
+@pytest.mark.parametrize("name", filters.ALL_FILTERS)
 def test_a_filter_answers_whole_or_not_at_all(name, layer):
     seed = np.random.SeedSequence().entropy % 2**32
     ms = scene(LAYERS[layer](), seed)
@@ -178,23 +164,48 @@ def test_a_filter_answers_whole_or_not_at_all(name, layer):
 
 BESIDE = "There are no directions at "
 MISSING = [
-    (DIRECTIONS, "two fans", {"vertex_index": 0}, BESIDE + "vertex 0: its faces are not one fan"),
-    (DIRECTIONS, "a book", {"vertex_index": 1}, BESIDE + "vertex 1: its faces are not one fan"),
-    (DIRECTIONS, "a book", {"start_point": [0.0, 0.4, 0.0]}, "from vertex 0 to 1: three faces or more meet there"),
-    (DIRECTIONS, "faces without area", {"vertex_index": 24}, "vertex 24: its faces are not one fan, or an edge there"),
-    (DIRECTIONS, "an isolated vertex", {"vertex_index": 49}, BESIDE + "vertex 49: no face has it; take another point"),
-    (DIRECTIONS, "one line", {"vertex_index": 0}, BESIDE + "vertex 0: the angles of its faces sum to 0"),
-    (MEAN, "two fans", {"surface_points": "0; 1; 4"}, BESIDE + "vertex 0"),
+    (filters.DIRECTIONS, "two fans", {"vertex_index": 0}, BESIDE + "vertex 0: its faces are not one fan"),
+    (filters.DIRECTIONS, "a book", {"vertex_index": 1}, BESIDE + "vertex 1: its faces are not one fan"),
     (
-        MEAN,
+        filters.DIRECTIONS,
+        "a book",
+        {"start_point": [0.0, 0.4, 0.0]},
+        "from vertex 0 to 1: three faces or more meet there",
+    ),
+    (
+        filters.DIRECTIONS,
+        "faces without area",
+        {"vertex_index": 24},
+        "vertex 24: its faces are not one fan, or an edge there",
+    ),
+    (
+        filters.DIRECTIONS,
+        "an isolated vertex",
+        {"vertex_index": 49},
+        BESIDE + "vertex 49: no face has it; take another point",
+    ),
+    (filters.DIRECTIONS, "one line", {"vertex_index": 0}, BESIDE + "vertex 0: the angles of its faces sum to 0"),
+    (filters.MEAN, "two fans", {"surface_points": "0; 1; 4"}, BESIDE + "vertex 0"),
+    (
+        filters.MEAN,
         "two components",
         {"surface_points": "0; 60"},
         "No path leads from point 0 (vertex 0) to point 1 (vertex 60)",
     ),
-    (MEAN, "an isolated vertex", {"surface_points": "0; 49"}, "to point 1 (vertex 49): they are on two components"),
-    (SMOOTH, "two components", {"surface_points": "0; 1; 60"}, "from point 1 (vertex 1) to point 2 (vertex 60)"),
-    (SMOOTH, "two fans", {"surface_points": "1; 0; 4"}, BESIDE + "vertex 0"),
-    (SIGNED, "two components", {"curve_layer": 1}, "they are on two components"),
+    (
+        filters.MEAN,
+        "an isolated vertex",
+        {"surface_points": "0; 49"},
+        "to point 1 (vertex 49): they are on two components",
+    ),
+    (
+        filters.SMOOTH,
+        "two components",
+        {"surface_points": "0; 1; 60"},
+        "from point 1 (vertex 1) to point 2 (vertex 60)",
+    ),
+    (filters.SMOOTH, "two fans", {"surface_points": "1; 0; 4"}, BESIDE + "vertex 0"),
+    (filters.SIGNED, "two components", {"curve_layer": 1}, "they are on two components"),
 ]
 
 
@@ -212,13 +223,13 @@ def test_a_mean_on_the_spine_of_a_book_says_where_its_descent_ends():
     ms = mesh_set(*book())
     message = "The descent to the middle of the points cannot go on. There are no directions at a point of face "
     with fails_and_changes_nothing(ms, message):
-        ms.apply_filter(MEAN, surface_points="2; 3; 4")
+        ms.apply_filter(filters.MEAN, surface_points="2; 3; 4")
     assert layer_count(ms) == 1
 
 
 def test_a_sphere_seen_from_a_corner_of_a_flat_sheet_has_no_lines_and_no_layer():
     ms = mesh_set(*side_by_side(grid(6, 6), sphere(1)))
-    found = ms.apply_filter(CUT_LOCUS, surface_points="24")
+    found = ms.apply_filter(filters.CUT_LOCUS, surface_points="24")
     assert (found["segments"], found["length"], found["unreachable_vertices"]) == (0, 0, 42)
     assert layer_count(ms) == 1
 
@@ -231,23 +242,37 @@ def test_vertices_that_no_path_reaches_are_told():
     calls = [
         f"ms.apply_filter({name!r}, {parameters}); ms.set_current_mesh(0)"
         for name, parameters in [
-            (DIRECTIONS, "vertex_index=24"),
-            (CUT_LOCUS, "surface_points='3; 40'"),
-            (SIGNED, ""),
+            (filters.DIRECTIONS, "vertex_index=24"),
+            (filters.CUT_LOCUS, "surface_points='3; 40'"),
+            (filters.SIGNED, ""),
         ]
     ]
     assert ["No path leads to 42 vertices" in said for said in logged(setup, calls)] == [True] * 3
 
 
 @pytest.mark.parametrize(
-    "name", [TIGHT, CUT_CURVE, SIGNED, BAND, PROFILE, REGION, LOOP, FROM_LAYER, PATH_THROUGH, SMOOTH]
+    "name",
+    [
+        filters.TIGHT,
+        filters.CUT_CURVE,
+        filters.SIGNED,
+        filters.BAND,
+        filters.PROFILE,
+        filters.REGION,
+        filters.LOOP,
+        filters.FROM_LAYER,
+        filters.PATH_THROUGH,
+        filters.SMOOTH,
+    ],
 )
 def test_a_curve_with_a_coordinate_that_is_not_finite_is_named(name):
     ms = mesh_set(*grid(6, 6))
     ms.add_mesh(pymeshlab.Mesh(corners((1, 1, 0), (np.nan, 1, 0), (1, 3, 0))), "curve", set_as_current=False)
-    parameter = {FROM_LAYER: "source_layer", PATH_THROUGH: "point_layer", SMOOTH: "point_layer"}.get(
-        name, "curve_layer"
-    )
+    parameter = {
+        filters.FROM_LAYER: "source_layer",
+        filters.PATH_THROUGH: "point_layer",
+        filters.SMOOTH: "point_layer",
+    }.get(name, "curve_layer")
     with fails_and_changes_nothing(ms, "Vertex 1 of layer 1"):
         ms.apply_filter(name, **{parameter: 1})
     assert layer_count(ms) == 2
@@ -256,14 +281,20 @@ def test_a_curve_with_a_coordinate_that_is_not_finite_is_named(name):
 # ---- Cancelled, not only at once
 
 
-@pytest.mark.parametrize("name", ALL_FILTERS)
+@pytest.mark.parametrize("name", filters.ALL_FILTERS)
 def test_a_filter_that_is_cancelled_later_has_done_nothing_or_all(name):
     seed = np.random.SeedSequence().entropy % 2**32
     random = np.random.default_rng(seed)
-    at, rows = sphere(2) if name == GIRTH else tube([1.0] * 12) if name in (TIGHT, LOOP) else grid(12, 12)
+    at, rows = (
+        sphere(2)
+        if name == filters.GIRTH
+        else tube([1.0] * 12)
+        if name in (filters.TIGHT, filters.LOOP)
+        else grid(12, 12)
+    )
     at = at * random.uniform(1, 2)
     where = [3, 31, 143] if len(at) > 143 else [3, 31, 90]
-    numbers = {**NEEDED.get(name, {}), **({"point_layer": 1} if name in (POLYGON, SMOOTH) else {})}
+    numbers = {**NEEDED.get(name, {}), **({"point_layer": 1} if name in (filters.POLYGON, filters.SMOOTH) else {})}
     text = ";".join(f"{key}={value}" for key, value in numbers.items() if isinstance(value, (int, bool)))
     calls = None
     for _ in range(5):
@@ -281,13 +312,13 @@ def test_a_filter_that_is_cancelled_later_has_done_nothing_or_all(name):
 
 def test_a_radius_of_nothing_is_no_limit_and_a_small_one_leaves_a_vertex_alone():
     ms = mesh_set(*grid(6, 6))
-    assert ms.apply_filter(DIRECTIONS, vertex_index=24, radius=length(0))["reached_vertices"] == 49
-    found = ms.apply_filter(DIRECTIONS, vertex_index=24, radius=length(0.25))
+    assert ms.apply_filter(filters.DIRECTIONS, vertex_index=24, radius=length(0))["reached_vertices"] == 49
+    found = ms.apply_filter(filters.DIRECTIONS, vertex_index=24, radius=length(0.25))
     assert (found["reached_vertices"], found["vertices_beyond_max_distance"]) == (1, 48)
     assert (found["mean_distortion"], found["max_distortion"]) == (0, 0)
     np.testing.assert_allclose(ms.current_mesh().vertex_tex_coord_matrix()[24], [0.5, 0.5], atol=1e-7)
     for bad in (np.nan, np.inf):
         with fails_and_changes_nothing(ms, "(radius) is"):
-            ms.apply_filter(DIRECTIONS, vertex_index=24, radius=length(bad))
+            ms.apply_filter(filters.DIRECTIONS, vertex_index=24, radius=length(bad))
     assert len(arrays(ms)[0]) == 49
-    assert ms.apply_filter(DISK, vertex_index=24, radius=length(0.25))["selected_vertices"] == 1
+    assert ms.apply_filter(filters.DISK, vertex_index=24, radius=length(0.25))["selected_vertices"] == 1

@@ -5,14 +5,11 @@ from __future__ import annotations
 import itertools
 import time
 
+import filters
 import numpy as np
 import pymeshlab
 import pytest
 from support import (
-    EXACT_FROM_POINT,
-    FROM_POINT,
-    INDEX,
-    PATCHES,
     arrays,
     assert_close_to_exact,
     exact_distances,
@@ -37,10 +34,10 @@ def new_sphere() -> tuple[np.ndarray, np.ndarray]:
 def fields_of_now(ms: pymeshlab.MeshSet, reused: bool) -> np.ndarray:
     """An exact field and one from the index, right for the mesh as it is now; the index was reused or not as stated."""
     exact = exact_distances(*arrays(ms), [0])
-    ms.apply_filter(EXACT_FROM_POINT, vertex_index=0)
+    ms.apply_filter(filters.EXACT_FROM_POINT, vertex_index=0)
     np.testing.assert_allclose(field(ms), exact, rtol=1e-9, atol=1e-12)
     found = [field(ms).copy()]
-    assert ms.apply_filter(FROM_POINT, vertex_index=0, method="index")["index_reused"] == reused
+    assert ms.apply_filter(filters.FROM_POINT, vertex_index=0, method="index")["index_reused"] == reused
     assert_close_to_exact(field(ms), exact, mean=0.0004, largest=0.01)
     return np.array([*found, field(ms)])
 
@@ -77,7 +74,7 @@ def test_an_edit_is_seen_and_undoing_it_gives_the_old_answers_to_the_last_bit(ed
     before = fields_of_now(ms, reused=False)
     ms.apply_filter("compute_normal_per_vertex")
     select_vertices(ms, [1])
-    ms.apply_filter(PATCHES)
+    ms.apply_filter(filters.PATCHES)
     np.testing.assert_array_equal(fields_of_now(ms, reused=True), before)  # colours and selection are no edit
     EDITS[edit](ms)
     fields_of_now(ms, reused=False)
@@ -87,8 +84,8 @@ def test_an_edit_is_seen_and_undoing_it_gives_the_old_answers_to_the_last_bit(ed
 def test_index_of_the_build_filter_is_used_and_replaced():
     ms = mesh_set(*new_sphere())
     for patches in (6, 9):
-        ms.apply_filter(INDEX, n1=patches)
-        result = ms.apply_filter(PATCHES)
+        ms.apply_filter(filters.INDEX, n1=patches)
+        result = ms.apply_filter(filters.PATCHES)
         assert (result["patches"], result["index_reused"]) == (patches, True)
 
 
@@ -97,7 +94,7 @@ def test_start_points_of_later_calls_are_found_on_the_mesh_of_now():
     ms = mesh_set(vertices, faces)
     for height in (0.0, 0.5):
         for _ in range(2):
-            result = ms.apply_filter(EXACT_FROM_POINT, start_point=[2.3, 3.1, 0.25])
+            result = ms.apply_filter(filters.EXACT_FROM_POINT, start_point=[2.3, 3.1, 0.25])
             assert result["snap_distance"] == pytest.approx(0.25, abs=1e-6)
             assert result["start_face"] >= 0
         ms.apply_filter("compute_coord_by_function", x="x", y="y", z=str(0.5 - height))
@@ -127,7 +124,7 @@ def test_later_calls_pay_for_the_answer_only():
 
     def seconds(source: int) -> float:
         start = time.process_time()
-        ms.apply_filter(EXACT_FROM_POINT, vertex_index=source, max_distance=length(0.02))
+        ms.apply_filter(filters.EXACT_FROM_POINT, vertex_index=source, max_distance=length(0.02))
         return time.process_time() - start
 
     first = seconds(0)

@@ -4,23 +4,11 @@ from __future__ import annotations
 
 import sys
 
+import filters
 import numpy as np
 import pytest
 import vorogeo
-from support import (
-    AREA,
-    CUT_CURVE,
-    GIRTH,
-    PATH_THROUGH,
-    POLYGON,
-    PROFILE,
-    PROJECT,
-    REGION,
-    grid,
-    layer_count,
-    length,
-    mesh_set,
-)
+from support import PROJECT, grid, layer_count, length, mesh_set
 
 sys.path.insert(0, str(PROJECT / "samples"))
 import measuring_case
@@ -54,21 +42,21 @@ def test_filters_have_the_numbers_of_the_script(script, freeze):
         freeze=freeze,
     )
     numbers = "; ".join(map(str, measuring_case.BACK.values()))
-    found = {"back line": on_layer(ms, 0, PATH_THROUGH, surface_points=numbers)["length"]}
-    profile = on_layer(ms, 0, PROFILE, curve_layer=layer_count(ms) - 1, up=np.array([0.0, 1.0, 0.0]))
+    found = {"back line": on_layer(ms, 0, filters.PATH_THROUGH, surface_points=numbers)["length"]}
+    profile = on_layer(ms, 0, filters.PROFILE, curve_layer=layer_count(ms) - 1, up=np.array([0.0, 1.0, 0.0]))
     found["its highest point"] = profile["height"].max()
     for part in ("neck", "ear"):
         vertex, normal = getattr(measuring_case, part.upper())
-        girth = on_layer(ms, 0, GIRTH, vertex_index=vertex, normal=np.array(normal))
+        girth = on_layer(ms, 0, filters.GIRTH, vertex_index=vertex, normal=np.array(normal))
         found[f"{part} by tape"] = girth["tape_length"]
         found[f"{part} by section"] = girth["section_length"]
         found[f"{part}, tightest loop"] = girth["loop_length"]
     loop = layer_count(ms) - 2  # tape, loop and section are the new layers
-    thigh = on_layer(ms, 0, POLYGON, surface_points="; ".join(map(str, measuring_case.THIGH)))
+    thigh = on_layer(ms, 0, filters.POLYGON, surface_points="; ".join(map(str, measuring_case.THIGH)))
     found["thigh"], found["border of the thigh"] = thigh["area"], thigh["perimeter"]
     disk = {"vertex_index": measuring_case.REPAIR, "radius": length(measuring_case.REACH), "exact": True}
-    found["retouched"] = on_layer(ms, 0, AREA, **disk)["area"]
-    assert on_layer(ms, 0, CUT_CURVE, curve_layer=loop)["parts"] == 2
-    found["ear beyond its loop"] = on_layer(ms, 0, REGION, curve_layer=loop)["area"]
+    found["retouched"] = on_layer(ms, 0, filters.AREA, **disk)["area"]
+    assert on_layer(ms, 0, filters.CUT_CURVE, curve_layer=loop)["parts"] == 2
+    found["ear beyond its loop"] = on_layer(ms, 0, filters.REGION, curve_layer=loop)["area"]
     for name, value, _ in script.table:
         assert found[name] == pytest.approx(value, rel=1e-7), name

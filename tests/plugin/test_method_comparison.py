@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import csv
 
+import filters
 import numpy as np
 import pytest
 from support import (
-    COMPARISON,
-    METHOD_TABLE,
     arrays,
     exact_distances,
     fails_and_changes_nothing,
@@ -33,7 +32,7 @@ NO_HEAT = pytest.mark.skipif(host_version() == "2022.02", reason="MeshLab 2022.0
 
 
 def compare(ms, method: str, reference: str = EXACT, source: int = 0) -> dict:
-    return ms.apply_filter(COMPARISON, vertex_index=source, method=method, reference=reference)
+    return ms.apply_filter(filters.COMPARISON, vertex_index=source, method=method, reference=reference)
 
 
 def test_edge_paths_on_a_rectangle_have_a_closed_form():
@@ -123,7 +122,9 @@ def test_other_components_are_not_compared(method):
 def test_figures_are_those_of_the_methods(tmp_path):
     ms = mesh_set(*sphere(3))
     file = tmp_path / "table.csv"
-    result = ms.apply_filter(METHOD_TABLE, methods="mmp, dijkstra, heat(delaunay=1)", sources=2, csv_file=str(file))
+    result = ms.apply_filter(
+        filters.METHOD_TABLE, methods="mmp, dijkstra, heat(delaunay=1)", sources=2, csv_file=str(file)
+    )
     assert (result["methods"], result["sources"]) == (3, 2)
     assert result["max_error"][0] == 0
     assert 0.01 < result["mean_error"][1] < 0.2
@@ -139,9 +140,9 @@ def test_figures_are_those_of_the_methods(tmp_path):
 
 def test_the_comparison_offers_the_methods_of_the_literature():
     ms = mesh_set(*sphere(3))
-    result = ms.apply_filter(COMPARISON, vertex_index=7, method="Window tree, ordered and filtered (ICH)")
+    result = ms.apply_filter(filters.COMPARISON, vertex_index=7, method="Window tree, ordered and filtered (ICH)")
     assert result["max_error"] < 1e-9
-    result = ms.apply_filter(COMPARISON, vertex_index=7, method="Virtual sources (GSP)")
+    result = ms.apply_filter(filters.COMPARISON, vertex_index=7, method="Virtual sources (GSP)")
     assert 1e-6 < result["mean_error"] < 0.02
 
 
@@ -150,7 +151,7 @@ def test_waves_across_gaps_take_the_gap_of_the_filter():
     vertices = arrays(ms)[0]
     gap = vertices[36:, 0].min() - vertices[:36, 0].max()
     result = ms.apply_filter(
-        COMPARISON, vertex_index=0, method="Waves across gaps (Campen, Kobbelt)", gap=length(1.5 * gap)
+        filters.COMPARISON, vertex_index=0, method="Waves across gaps (Campen, Kobbelt)", gap=length(1.5 * gap)
     )
     assert result["compared_vertices"] == 71
     assert 1e-6 < result["mean_error"] < 0.1

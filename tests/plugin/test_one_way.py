@@ -2,44 +2,11 @@
 
 from __future__ import annotations
 
+import filters
 import numpy as np
 import pymeshlab
 import pytest
-from support import (
-    AREA,
-    BAND,
-    CUT_LOCUS,
-    DISK,
-    EXACT_FROM_POINT,
-    EXTENT,
-    FARTHEST,
-    FROM_BORDER,
-    FROM_EDGES,
-    FROM_LAYER,
-    FROM_POINT,
-    FROM_SELECTION,
-    INDEX,
-    ISOLINES,
-    LLOYD,
-    MATRIX,
-    MEAN,
-    NEAREST,
-    PAIRS_WITHIN,
-    PATH,
-    PATH_THROUGH,
-    POISSON,
-    POLYGON,
-    SETS,
-    SIGNED,
-    TWO_POINTS,
-    VORONOI,
-    fails_and_changes_nothing,
-    field,
-    grid,
-    length,
-    mesh_set,
-    select_vertices,
-)
+from support import fails_and_changes_nothing, field, grid, length, mesh_set, select_vertices
 
 SIZE, GRADE, SPEED = 12, 0.25, 2.0
 MIDDLE = 6 * (SIZE + 1) + 6
@@ -95,28 +62,32 @@ def test_hiking_time_is_toblers_in_seconds_and_costs_of_height_are_added_to_leng
             *(np.hypot(1, GRADE) + cost * GRADE for cost in (5, 0.5)),
         ),
     ):
-        assert ms.apply_filter(TWO_POINTS, source=low, target=high, **metric)["distance"] == pytest.approx(SIZE * up)
-        assert ms.apply_filter(TWO_POINTS, source=high, target=low, **metric)["distance"] == pytest.approx(SIZE * down)
+        assert ms.apply_filter(filters.TWO_POINTS, source=low, target=high, **metric)["distance"] == pytest.approx(
+            SIZE * up
+        )
+        assert ms.apply_filter(filters.TWO_POINTS, source=high, target=low, **metric)["distance"] == pytest.approx(
+            SIZE * down
+        )
         for ends, expected in (((low, high), up), ((high, low), down)):
-            found = ms.apply_filter(PATH, source=ends[0], target=ends[1], **metric)
+            found = ms.apply_filter(filters.PATH, source=ends[0], target=ends[1], **metric)
             assert found["length"] == pytest.approx(SIZE * expected)
             assert field(ms)[-1] == pytest.approx(found["length"])  # along the path
             assert found["answered_by"] == 2
             ms.set_current_mesh(0)
-        for name in (EXACT_FROM_POINT, FROM_POINT):
+        for name in (filters.EXACT_FROM_POINT, filters.FROM_POINT):
             ms.apply_filter(name, vertex_index=low, **metric)
             assert field(ms)[high] == pytest.approx(SIZE * up, rel=1e-6)
             ms.apply_filter(name, vertex_index=low, to=True, **metric)
             assert field(ms)[high] == pytest.approx(SIZE * down, rel=1e-6)
-    through = ms.apply_filter(PATH_THROUGH, surface_points="0; 12; 0", metric="Uphill and downhill cost")
+    through = ms.apply_filter(filters.PATH_THROUGH, surface_points="0; 12; 0", metric="Uphill and downhill cost")
     assert through["length"] == pytest.approx(SIZE * (2 * np.hypot(1, GRADE) + 10 * GRADE))
 
 
 def test_without_costs_of_height_it_is_the_length():
     ms = slope()
-    ms.apply_filter(EXACT_FROM_POINT, vertex_index=MIDDLE, metric=6, uphill_cost=0, downhill_cost=0)
+    ms.apply_filter(filters.EXACT_FROM_POINT, vertex_index=MIDDLE, metric=6, uphill_cost=0, downhill_cost=0)
     even = field(ms).copy()
-    ms.apply_filter(EXACT_FROM_POINT, vertex_index=MIDDLE)
+    ms.apply_filter(filters.EXACT_FROM_POINT, vertex_index=MIDDLE)
     np.testing.assert_allclose(even, field(ms), rtol=1e-6)
 
 
@@ -124,33 +95,33 @@ def test_faces_that_are_too_steep_are_barriers_on_foot():
     ms = slope()
     for metric in ("Hiking time", "Uphill and downhill cost"):
         for steepest, barred in ((GRADE * 1.01, 0), (GRADE * 0.99, (SIZE + 1) ** 2 - 1)):
-            found = ms.apply_filter(EXACT_FROM_POINT, vertex_index=0, metric=metric, steepest_grade=steepest)
+            found = ms.apply_filter(filters.EXACT_FROM_POINT, vertex_index=0, metric=metric, steepest_grade=steepest)
             assert found["unreachable_vertices"] == barred
         with fails_and_changes_nothing(ms, "(steepest_grade) is -1. Give a number above 0, or 0 for any grade"):
-            ms.apply_filter(EXACT_FROM_POINT, vertex_index=0, metric=metric, steepest_grade=-1)
+            ms.apply_filter(filters.EXACT_FROM_POINT, vertex_index=0, metric=metric, steepest_grade=-1)
 
 
 @BOTH
 def test_fields_in_a_wind(to, random):
     ms, wind = windy(random)
     expected = from_vertices([MIDDLE], wind, to)[0]
-    for name in (EXACT_FROM_POINT, FROM_POINT):
+    for name in (filters.EXACT_FROM_POINT, filters.FROM_POINT):
         ms.apply_filter(name, vertex_index=MIDDLE, to=to, **WIND)
         np.testing.assert_allclose(field(ms), expected, rtol=1e-5, atol=1e-9)
     sources = [3, 100]
     select_vertices(ms, sources)
     nearest = from_vertices(sources, wind, to).min(axis=0)
-    ms.apply_filter(FROM_SELECTION, to=to, **WIND)
+    ms.apply_filter(filters.FROM_SELECTION, to=to, **WIND)
     np.testing.assert_allclose(field(ms), nearest, rtol=1e-5, atol=1e-9)
     ms.add_mesh(pymeshlab.Mesh(grid(SIZE, SIZE)[0][sources]), "points", set_as_current=False)
-    ms.apply_filter(FROM_LAYER, source_layer=1, to=to, **WIND)
+    ms.apply_filter(filters.FROM_LAYER, source_layer=1, to=to, **WIND)
     np.testing.assert_allclose(field(ms), nearest, rtol=1e-5, atol=1e-9)
     vertices = grid(SIZE, SIZE)[0]
     border = np.flatnonzero(((vertices[:, :2] % SIZE) == 0).any(axis=1)).tolist()
-    for name, how in ((FROM_BORDER, {}), (FROM_EDGES, {"from_border": True, "spacing": length(1.0)})):
+    for name, how in ((filters.FROM_BORDER, {}), (filters.FROM_EDGES, {"from_border": True, "spacing": length(1.0)})):
         ms.apply_filter(name, to=to, **how, **WIND)
         np.testing.assert_allclose(field(ms), from_vertices(border, wind, to).min(axis=0), rtol=1e-5, atol=1e-9)
-    lines = ms.apply_filter(ISOLINES, line_number=3)
+    lines = ms.apply_filter(filters.ISOLINES, line_number=3)
     assert lines["segments"] > 0
 
 
@@ -161,7 +132,7 @@ def test_tasks_in_a_wind(to, random):
     sites = random.choice(len(vertices), 4, replace=False).tolist()
     rows = from_vertices(sites, wind, to)
     points = "; ".join(map(str, sites))
-    found = ms.apply_filter(VORONOI, surface_points=points, borders=False, to=to, **WIND)
+    found = ms.apply_filter(filters.VORONOI, surface_points=points, borders=False, to=to, **WIND)
     of_site = np.take_along_axis(rows, field(ms).astype(int)[None], axis=0)[0]
     np.testing.assert_allclose(of_site, rows.min(axis=0), rtol=1e-9, atol=1e-9)
     lam = 1 - wind @ wind / SPEED**2
@@ -169,16 +140,16 @@ def test_tasks_in_a_wind(to, random):
     assert sum(found["areas"]) == pytest.approx(SIZE**2 * unit)
     from_one = from_vertices([MIDDLE], wind, to)[0]
     radius = float(np.median(from_one)) * (1 + 1e-6)
-    disk = ms.apply_filter(DISK, vertex_index=MIDDLE, radius=length(radius), to=to, **WIND)
+    disk = ms.apply_filter(filters.DISK, vertex_index=MIDDLE, radius=length(radius), to=to, **WIND)
     assert disk["selected_vertices"] == (from_one <= radius).sum()
-    area = ms.apply_filter(AREA, vertex_index=MIDDLE, radius=length(0.9), to=to, **WIND)["area"]
+    area = ms.apply_filter(filters.AREA, vertex_index=MIDDLE, radius=length(0.9), to=to, **WIND)["area"]
     assert area == pytest.approx(np.pi * 0.9**2 * lam**-1.5, rel=1e-4)
     ms.add_mesh(pymeshlab.Mesh(vertices[sites]), "sites", set_as_current=False)
-    nearest = ms.apply_filter(NEAREST, source_layer=1, surface_points="0; 80", to=to, **WIND)
+    nearest = ms.apply_filter(filters.NEAREST, source_layer=1, surface_points="0; 80", to=to, **WIND)
     np.testing.assert_allclose(nearest["distances"], rows[:, [0, 80]].min(axis=0), rtol=1e-9)
-    band = ms.apply_filter(BAND, curve_layer=1, width=length(0.2), to=to, **WIND)
+    band = ms.apply_filter(filters.BAND, curve_layer=1, width=length(0.2), to=to, **WIND)
     assert 0 < band["area"] < SIZE**2 * unit
-    samples = ms.apply_filter(FARTHEST, sample_number=5, to=to, **WIND)
+    samples = ms.apply_filter(filters.FARTHEST, sample_number=5, to=to, **WIND)
     ids = np.asarray(samples["vertices"]).astype(int).tolist()
     assert samples["covering_radius"] == pytest.approx(from_vertices(ids, wind, to).min(axis=0).max(), rel=1e-9)
 
@@ -188,10 +159,10 @@ def test_matrices_hold_both_ways(random):
     ids = random.choice((SIZE + 1) ** 2, 5, replace=False).tolist()
     expected = from_vertices(ids, wind, False)[:, ids]
     points = "; ".join(map(str, ids))
-    found = ms.apply_filter(MATRIX, surface_points=points, **WIND)
+    found = ms.apply_filter(filters.MATRIX, surface_points=points, **WIND)
     np.testing.assert_allclose(np.reshape(found["distances"], (5, 5)), expected, rtol=1e-9, atol=1e-9)
     radius = float(np.median(expected)) * (1 + 1e-6)
-    pairs = ms.apply_filter(PAIRS_WITHIN, surface_points=points, radius=length(radius), **WIND)
+    pairs = ms.apply_filter(filters.PAIRS_WITHIN, surface_points=points, radius=length(radius), **WIND)
     # The points are named by their places in the text.
     first, second = (np.asarray(pairs[key]).astype(int) for key in ("first", "second"))
     within = {(i, j) for i in range(5) for j in range(5) if i != j and expected[i, j] <= radius}
@@ -210,7 +181,7 @@ def test_a_wind_of_vertices_is_that_of_their_faces_in_the_mean_and_turns_with_th
     for matrix in (np.eye(4), turn):
         ms.apply_filter("set_matrix", transformmatrix=matrix, freeze=False)
         for name in ("current", "wind"):
-            ms.apply_filter(EXACT_FROM_POINT, vertex_index=MIDDLE, wind_attribute=name, **WIND)
+            ms.apply_filter(filters.EXACT_FROM_POINT, vertex_index=MIDDLE, wind_attribute=name, **WIND)
             np.testing.assert_allclose(field(ms), expected, rtol=1e-5, atol=1e-9)
 
 
@@ -221,7 +192,7 @@ def test_a_new_wind_is_a_new_metric(random):
     winds = random.uniform(-1, 1, (2, 3)) * [1, 1, 0]
     for name, wind in zip(("wind", "other"), winds, strict=True):
         mesh.add_face_custom_point_attribute(np.tile(wind, (len(faces), 1)), name)
-        ms.apply_filter(EXACT_FROM_POINT, vertex_index=MIDDLE, wind_attribute=name, **WIND)
+        ms.apply_filter(filters.EXACT_FROM_POINT, vertex_index=MIDDLE, wind_attribute=name, **WIND)
         np.testing.assert_allclose(field(ms), from_vertices([MIDDLE], wind, False)[0], rtol=1e-5, atol=1e-9)
 
 
@@ -249,21 +220,21 @@ def test_bad_costs_and_winds(parameters, message, random):
     for name, wind in (("strong", strong), ("unknown", unknown)):
         ms.current_mesh().add_face_custom_point_attribute(wind, name)
     with fails_and_changes_nothing(ms, message):
-        ms.apply_filter(EXACT_FROM_POINT, vertex_index=0, **parameters)
+        ms.apply_filter(filters.EXACT_FROM_POINT, vertex_index=0, **parameters)
 
 
 REFUSED = [
-    (INDEX, {}, "Indexes"),
-    (FROM_POINT, {"vertex_index": 0, "method": "index"}, "Indexes"),
-    (FROM_POINT, {"vertex_index": 0, "method": "quick"}, "Quick distances"),
-    (POISSON, {"radius": length(1.0)}, "Poisson-disk samplings"),
-    (LLOYD, {"surface_points": "0; 80"}, "Lloyd relaxations"),
-    (MEAN, {"surface_points": "0; 80"}, "Means and medians"),
-    (SETS, {"surface_points": "0; 80", "source_layer": 1}, "Distances of two sets"),
-    (EXTENT, {}, "Diameter and centre"),
-    (POLYGON, {"surface_points": "0; 12; 80"}, "Polygons"),
-    (CUT_LOCUS, {"surface_points": "0"}, "Cut loci"),
-    (SIGNED, {"curve_layer": 1}, "Signed distances"),
+    (filters.INDEX, {}, "Indexes"),
+    (filters.FROM_POINT, {"vertex_index": 0, "method": "index"}, "Indexes"),
+    (filters.FROM_POINT, {"vertex_index": 0, "method": "quick"}, "Quick distances"),
+    (filters.POISSON, {"radius": length(1.0)}, "Poisson-disk samplings"),
+    (filters.LLOYD, {"surface_points": "0; 80"}, "Lloyd relaxations"),
+    (filters.MEAN, {"surface_points": "0; 80"}, "Means and medians"),
+    (filters.SETS, {"surface_points": "0; 80", "source_layer": 1}, "Distances of two sets"),
+    (filters.EXTENT, {}, "Diameter and centre"),
+    (filters.POLYGON, {"surface_points": "0; 12; 80"}, "Polygons"),
+    (filters.CUT_LOCUS, {"surface_points": "0"}, "Cut loci"),
+    (filters.SIGNED, {"curve_layer": 1}, "Signed distances"),
 ]
 
 
@@ -278,6 +249,6 @@ def test_what_needs_both_ways_alike_is_refused_by_its_name(name, parameters, wha
 @BOTH
 def test_to_makes_no_difference_where_both_ways_cost_the_same(to):
     ms = slope()
-    ms.apply_filter(EXACT_FROM_POINT, vertex_index=MIDDLE, to=to)
+    ms.apply_filter(filters.EXACT_FROM_POINT, vertex_index=MIDDLE, to=to)
     expected = np.linalg.norm(ms.current_mesh().vertex_matrix() - ms.current_mesh().vertex_matrix()[MIDDLE], axis=1)
     np.testing.assert_allclose(field(ms), expected, rtol=1e-6, atol=1e-9)

@@ -4,19 +4,11 @@ from __future__ import annotations
 
 import colorsys
 
+import filters
 import numpy as np
 import pymeshlab
 import pytest
 from support import (
-    DIRECTIONS,
-    FROM_EDGES,
-    FROM_LAYER,
-    GIRTH,
-    LOOP,
-    PATH,
-    PATH_THROUGH,
-    SIGNED,
-    TIGHT,
     exact_distances,
     fails_and_changes_nothing,
     field,
@@ -34,7 +26,7 @@ def test_path_between_points_of_the_plane():
     vertices, faces = grid(12, 9)
     ms = mesh_set(vertices, faces)
     source, target = np.array([0.25, 0.5, 2.0]), np.array([10.5, 7.75, 0.0])
-    result = ms.apply_filter(PATH, source_point=source, target_point=target)
+    result = ms.apply_filter(filters.PATH, source_point=source, target_point=target)
     straight = np.linalg.norm((source - target)[:2])
     assert result["length"] == pytest.approx(straight, rel=1e-6)
     assert result["source_snap_distance"] == pytest.approx(2.0, rel=1e-6)
@@ -53,7 +45,7 @@ def test_exact_path_on_a_sphere(certify):
     ms = mesh_set(vertices, faces)
     exact = exact_distances(vertices, faces, [5])
     for target in (0, 100, 600):
-        result = ms.apply_filter(PATH, source=5, target=target, method="index", exact=True, certify=certify)
+        result = ms.apply_filter(filters.PATH, source=5, target=target, method="index", exact=True, certify=certify)
         assert result["length"] == pytest.approx(exact[target], rel=1e-9)
         assert result["certified"] or not certify
         ms.set_current_mesh(0)
@@ -61,7 +53,7 @@ def test_exact_path_on_a_sphere(certify):
 
 def test_no_path_is_no_layer():
     ms = mesh_set(*side_by_side(grid(4, 4), grid(4, 4)))
-    result = ms.apply_filter(PATH, source=0, target=ms.current_mesh().vertex_number() - 1)
+    result = ms.apply_filter(filters.PATH, source=0, target=ms.current_mesh().vertex_number() - 1)
     assert result["length"] == np.inf
     assert result["points"] == 0
     assert layer_count(ms) == 1
@@ -70,7 +62,7 @@ def test_no_path_is_no_layer():
 def test_no_path_through_points_of_two_components_is_refused():
     ms = mesh_set(*side_by_side(grid(4, 4), grid(4, 4)))
     with fails_and_changes_nothing(ms, "No path leads from point 1 (vertex 3) to point 2 (vertex 40)"):
-        ms.apply_filter(PATH_THROUGH, surface_points="0; 3; 40")
+        ms.apply_filter(filters.PATH_THROUGH, surface_points="0; 3; 40")
     assert layer_count(ms) == 1
 
 
@@ -102,7 +94,7 @@ def test_a_curve_round_a_tube_is_pulled_tight(lines):
     else:
         ms.add_mesh(pymeshlab.Mesh(vertex_matrix=place[order], edge_matrix=edges))
     ms.set_current_mesh(0)
-    found = ms.apply_filter(TIGHT, curve_layer=1)
+    found = ms.apply_filter(filters.TIGHT, curve_layer=1)
     assert found["length"] == pytest.approx(20 * np.sin(np.pi / 10), rel=1e-9)
     assert 0 < found["snap_distance"] < 1 - np.cos(np.pi / 10) + 1e-9
     assert (layer_count(ms), ms.current_mesh_id()) == (3, 2)
@@ -116,7 +108,7 @@ def test_selected_edges_are_pulled_tight():
     """Those of the neck of an hourglass stay where they are: its faces open there on both sides."""
     ms = mesh_set(*tube([2.0, 1.0, 2.0], sides=24))
     ms.apply_filter("compute_selection_crease_per_edge", angledegneg=-30, angledegpos=30)
-    found = ms.apply_filter(TIGHT)
+    found = ms.apply_filter(filters.TIGHT)
     assert found["length"] == pytest.approx(48 * np.sin(np.pi / 24), rel=1e-9)
     assert found["snap_distance"] == 0
     np.testing.assert_allclose(ms.current_mesh().vertex_matrix()[:, 2], 1, atol=1e-9)
@@ -144,7 +136,7 @@ def test_what_is_no_closed_curve_is_refused(places, edges, message):
     ms.add_mesh(pymeshlab.Mesh(vertex_matrix=np.asarray(places, float), edge_matrix=np.asarray(edges)))
     ms.set_current_mesh(0)
     with fails_and_changes_nothing(ms, message):
-        ms.apply_filter(TIGHT, curve_layer=1)
+        ms.apply_filter(filters.TIGHT, curve_layer=1)
     assert layer_count(ms) == 2
 
 
@@ -152,14 +144,14 @@ def test_the_shortest_loop_through_a_point():
     """Round a tube at right angles to its axis."""
     vertices, faces = tube([1.0] * 9, sides=10)
     ms = mesh_set(vertices, faces)
-    found = ms.apply_filter(LOOP, start_point=[0.9, 0.1, 3.3])
+    found = ms.apply_filter(filters.LOOP, start_point=[0.9, 0.1, 3.3])
     assert found["length"] == pytest.approx(20 * np.sin(np.pi / 10), rel=1e-9)
     assert (found["start_vertex"], found["answered_by"]) == (-1, 2)
     assert found["snap_distance"] > 0
     assert (layer_count(ms), ms.current_mesh_id()) == (2, 1)
     np.testing.assert_allclose(ms.current_mesh().vertex_matrix()[:, 2], 3.3, atol=1e-3)
     ms.set_current_mesh(0)
-    assert ms.apply_filter(LOOP, vertex_index=42)["start_vertex"] == 42
+    assert ms.apply_filter(filters.LOOP, vertex_index=42)["start_vertex"] == 42
 
 
 def prism():
@@ -175,7 +167,7 @@ def prism():
 @pytest.mark.parametrize("normal", [[0, 0, 0], [0, 0, -2]])
 def test_girth_of_a_prism(normal):
     ms = mesh_set(*prism())
-    found = ms.apply_filter(GIRTH, start_point=[0, 0.75, 4.125], normal=np.array(normal, float))
+    found = ms.apply_filter(filters.GIRTH, start_point=[0, 0.75, 4.125], normal=np.array(normal, float))
     tape = 6 + 2**0.5  # straight across the hollow
     for name, expected in (("section", 8), ("tape", tape), ("loop", 8)):
         assert found[f"{name}_length"] == pytest.approx(expected, rel=1e-6), name
@@ -192,7 +184,7 @@ def test_girth_of_a_prism(normal):
 
 def test_a_loop_that_slips_off_is_no_layer():
     ms = mesh_set(*sphere(3))
-    found = ms.apply_filter(GIRTH, start_point=[0.6, 0.08, 0.796], normal=[0, 0, 1])
+    found = ms.apply_filter(filters.GIRTH, start_point=[0.6, 0.08, 0.796], normal=[0, 0, 1])
     assert found["loop_length"] == 0
     assert found["section_length"] == pytest.approx(2 * np.pi * np.hypot(0.6, 0.08), rel=0.03)
     assert found["tape_length"] <= found["section_length"] + 1e-9
@@ -206,7 +198,7 @@ def test_directions_in_the_plane(radius, rotation, scale, rings, per_wedge):
     centre = 4 * 13 + 6
     ms = mesh_set(vertices, faces)
     picture = {"rotation": rotation, "scale": scale, "rings": rings, "per_wedge": per_wedge}
-    found = ms.apply_filter(DIRECTIONS, vertex_index=centre, radius=length(radius), **picture)
+    found = ms.apply_filter(filters.DIRECTIONS, vertex_index=centre, radius=length(radius), **picture)
     # The frame: from the vertex to the next corner of the last face that has it.
     last = faces[np.flatnonzero((faces == centre).any(axis=1))[-1]]
     x = vertices[np.roll(last, -1)[last == centre][0]] - vertices[centre]
@@ -249,7 +241,7 @@ def test_directions_in_the_plane(radius, rotation, scale, rings, per_wedge):
 def test_distortion_of_directions_from_a_corner():
     """Three right angles around it are scaled to a full turn: sides of sqrt(2) become sqrt(3), edges at it stay."""
     ms = mesh_set(np.eye(4, 3, -1), np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1]]))
-    found = ms.apply_filter(DIRECTIONS, vertex_index=0, radius=length(0))
+    found = ms.apply_filter(filters.DIRECTIONS, vertex_index=0, radius=length(0))
     assert found["max_distortion"] == pytest.approx(1.5**0.5 - 1, rel=1e-12)
     assert found["mean_distortion"] == pytest.approx((3**0.5 - 2**0.5) / (1 + 2**0.5), rel=1e-12)
 
@@ -261,7 +253,7 @@ def test_distance_from_a_layer_of_points(method):
     points = np.array([[1.3, 2.1, 0.0], [7.7, 8.2, 0.4]])
     ms.add_mesh(pymeshlab.Mesh(points))
     ms.set_current_mesh(0)
-    result = ms.apply_filter(FROM_LAYER, source_layer=1, method=method)
+    result = ms.apply_filter(filters.FROM_LAYER, source_layer=1, method=method)
     distances = np.linalg.norm((vertices[:, None] - points)[..., :2], axis=2)
     np.testing.assert_allclose(field(ms), distances.min(axis=1), rtol=1e-9 if method == "exact" else 5e-3)
     assert result["snap_distance"] == pytest.approx(0.4)
@@ -278,7 +270,7 @@ def test_distance_from_a_line():
     ms.add_mesh(pymeshlab.Mesh(vertex_matrix=np.array([a, b]), edge_matrix=np.array([[0, 1]])))
     ms.set_current_mesh(0)
     spacing = 0.05
-    ms.apply_filter(FROM_LAYER, source_layer=1, method="exact", spacing=length(spacing))
+    ms.apply_filter(filters.FROM_LAYER, source_layer=1, method="exact", spacing=length(spacing))
     t = np.clip((vertices - a) @ (b - a) / ((b - a) @ (b - a)), 0, 1)
     distances = np.linalg.norm(vertices - (a + t[:, None] * (b - a)), axis=1)
     assert (field(ms) >= distances - 1e-6).all()
@@ -289,7 +281,7 @@ def test_distance_from_a_line():
 def test_distance_from_the_border_as_a_curve(method):
     vertices, faces = grid(12, 8)
     ms = mesh_set(vertices, faces)
-    result = ms.apply_filter(FROM_EDGES, from_border=True, method=method)
+    result = ms.apply_filter(filters.FROM_EDGES, from_border=True, method=method)
     x, y = vertices[:, 0], vertices[:, 1]
     np.testing.assert_allclose(field(ms), np.min([x, 12 - x, y, 8 - y], axis=0), atol=1e-9)
     assert result["source_edges"] == 40
@@ -306,7 +298,7 @@ def test_signed_distance_from_a_rectangle(lines):
     edges = {"closed": [[2, 3], [0, 1], [3, 0], [1, 2]], "open": [[2, 3], [0, 1], [1, 2]]}
     chosen = {"edge_matrix": np.array(edges[lines])} if lines in edges else {}
     ms.add_mesh(pymeshlab.Mesh(vertex_matrix=RECTANGLE + np.array([0, 0, 0.1]), **chosen), set_as_current=False)
-    found = ms.apply_filter(SIGNED, curve_layer=1)
+    found = ms.apply_filter(filters.SIGNED, curve_layer=1)
     beyond = np.abs(vertices[:, :2] - [2, 1.5]) - [0.9, 0.8]
     expected = np.linalg.norm(np.maximum(beyond, 0), axis=1) + np.minimum(beyond.max(axis=1), 0)
     np.testing.assert_allclose(field(ms)[: len(vertices)], expected, atol=1e-6)
@@ -331,7 +323,7 @@ def test_signed_distance_from_two_rectangles():
     ring = np.column_stack([steps, (steps + 1) % 4])
     lines = pymeshlab.Mesh(vertex_matrix=np.vstack([RECTANGLE, inner]), edge_matrix=np.vstack([ring, ring[1:] + 4]))
     ms.add_mesh(lines, set_as_current=False)  # the inner one is open
-    found = ms.apply_filter(SIGNED, curve_layer=1)
+    found = ms.apply_filter(filters.SIGNED, curve_layer=1)
     beyond = np.abs(vertices[:, :2] - [2, 1.5])
     outer, hole = (
         np.linalg.norm(np.maximum(off, 0), axis=1) + np.minimum(off.max(axis=1), 0)
@@ -346,12 +338,12 @@ def test_signed_distance_from_a_region():
     vertices, faces = grid(12, 8)
     ms = mesh_set(vertices, faces)
     ms.apply_filter("compute_selection_by_condition_per_face", condselect="(x0 < 5.5) && (x1 < 5.5) && (x2 < 5.5)")
-    found = ms.apply_filter(SIGNED)
+    found = ms.apply_filter(filters.SIGNED)
     np.testing.assert_allclose(field(ms), vertices[:, 0] - 5, atol=1e-5)
     assert (found["min_distance"], found["snap_distance"]) == (pytest.approx(-5, abs=1e-5), 0)
     ms.apply_filter("set_selection_all")
     with fails_and_changes_nothing(ms, "The region has no border on the surface: all faces of each component"):
-        ms.apply_filter(SIGNED)
+        ms.apply_filter(filters.SIGNED)
 
 
 def test_curves_that_cross_have_no_sides():
@@ -361,11 +353,11 @@ def test_curves_that_cross_have_no_sides():
     both = np.vstack([RECTANGLE, RECTANGLE + np.array([0.53, 0.37, 0])])
     ms.add_mesh(pymeshlab.Mesh(vertex_matrix=both, edge_matrix=np.vstack([ring, ring + 4])), set_as_current=False)
     with fails_and_changes_nothing(ms, "Curves 0 and 1 cross or touch at "):
-        ms.apply_filter(SIGNED, curve_layer=1)
+        ms.apply_filter(filters.SIGNED, curve_layer=1)
 
 
 def test_a_curve_that_crosses_itself_has_no_sides():
     ms = mesh_set(*grid(20, 15, 0.2))
     ms.add_mesh(pymeshlab.Mesh(RECTANGLE[[0, 2, 1, 3]]), set_as_current=False)
     with fails_and_changes_nothing(ms, "Curve 0 crosses or touches itself at "):
-        ms.apply_filter(SIGNED, curve_layer=1)
+        ms.apply_filter(filters.SIGNED, curve_layer=1)

@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
+import filters
 import pymeshlab
 import pytest
-from support import COMPARISON, FILTERS, METHOD_TABLE, grid, mesh_set
+from support import grid, mesh_set
 
-IN_SPACE = (COMPARISON, METHOD_TABLE)  # MeshLab's own methods measure lengths in space
+IN_SPACE = (filters.COMPARISON, filters.METHOD_TABLE)  # MeshLab's own methods measure lengths in space
 GAPS = {"gap", "bridge_folds"}
 METRIC = {"metric", "slope_penalty", "steepest_grade", "curvature_weight"} | {
     *("uphill_cost", "downhill_cost", "wind_attribute", "own_speed")
 }
 
 
-@pytest.mark.parametrize("name", FILTERS)
+@pytest.mark.parametrize("name", filters.FILTERS)
 def test_filter_has_its_names_help_and_masks(name):
     assert name in pymeshlab.filter_list()
-    parameters, changes = FILTERS[name]
+    parameters, changes = filters.FILTERS[name]
     of_metric = METRIC | ({"to"} & parameters)
     shown_on_request = GAPS if name in IN_SPACE else GAPS | of_metric
     ms = mesh_set(*grid(2, 2))

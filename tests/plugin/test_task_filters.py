@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+import filters
 import numpy as np
 import pymeshlab
 import pytest
@@ -11,30 +12,6 @@ import vorogeo
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 from support import (
-    AREA,
-    BAND,
-    CUT,
-    CUT_CURVE,
-    CUT_LOCUS,
-    DISK,
-    EXACT_FROM_POINT,
-    EXTENT,
-    FARTHEST,
-    INDEX,
-    ISOLINES,
-    LLOYD,
-    MATRIX,
-    MEAN,
-    NEAREST,
-    PAIRS_WITHIN,
-    PATCHES,
-    PATH_THROUGH,
-    POISSON,
-    POLYGON,
-    SETS,
-    SMOOTH,
-    TWO_POINTS,
-    VORONOI,
     arrays,
     exact_distances,
     fails_and_changes_nothing,
@@ -106,7 +83,7 @@ def straight(a, b):
 @pytest.mark.parametrize("exact", [False, True])
 def test_distance_matrix_is_returned_and_written(ms, points, tmp_path, exact):
     file = tmp_path / "matrix.npy"
-    found = ms.apply_filter(MATRIX, matrix_file=str(file), exact=exact, **points.parameters)
+    found = ms.apply_filter(filters.MATRIX, matrix_file=str(file), exact=exact, **points.parameters)
     matrix = found["distances"].reshape(found["rows"], found["columns"])
     np.testing.assert_array_equal(matrix, matrix.T)
     np.testing.assert_allclose(matrix, straight(points.at, points.at), rtol=1e-9 if exact else 0.01, atol=1e-12)
@@ -119,14 +96,16 @@ def test_distance_matrix_is_returned_and_written(ms, points, tmp_path, exact):
 def test_unreachable_pairs_are_infinite():
     ms = mesh_set(*side_by_side(sphere(2), sphere(2)))
     select_vertices(ms, [0, 200])
-    np.testing.assert_array_equal(ms.apply_filter(MATRIX)["distances"], [0, np.inf, np.inf, 0])
+    np.testing.assert_array_equal(ms.apply_filter(filters.MATRIX)["distances"], [0, np.inf, np.inf, 0])
 
 
 def test_pairs_within_radius(ms, points, tmp_path):
     file = tmp_path / "pairs.npy"
     between = straight(points.at, points.at)
     radius = np.median(between[between > 0]) + 1e-3
-    found = ms.apply_filter(PAIRS_WITHIN, radius=length(radius), matrix_file=str(file), exact=True, **points.parameters)
+    found = ms.apply_filter(
+        filters.PAIRS_WITHIN, radius=length(radius), matrix_file=str(file), exact=True, **points.parameters
+    )
     first, second = np.nonzero(np.triu(between <= radius, 1))
     expected = np.column_stack(
         [np.take(points.numbers, first), np.take(points.numbers, second), between[first, second]]
@@ -141,7 +120,7 @@ def test_pairs_within_radius(ms, points, tmp_path):
 def test_nearest_points_of_a_layer(ms, points, exact, tmp_path):
     file = tmp_path / "nearest.npy"
     given = {"source_layer": 1, "exact": exact, **points.parameters}
-    found = ms.apply_filter(NEAREST, neighbour_number=3, matrix_file=str(file), **given)
+    found = ms.apply_filter(filters.NEAREST, neighbour_number=3, matrix_file=str(file), **given)
     full = straight(points.at, BESIDE * [1, 1, 0])
     assert (found["rows"], found["columns"]) == (4, 3)
     assert found["snap_distance"] == pytest.approx(0.25)
@@ -151,14 +130,14 @@ def test_nearest_points_of_a_layer(ms, points, exact, tmp_path):
     np.testing.assert_allclose(found["distances"].reshape(4, 3), distances, rtol=1e-9 if exact else 1e-2, atol=1e-9)
     expected = np.column_stack([np.repeat(points.numbers, 3), found["nearest"], found["distances"]])
     np.testing.assert_array_equal(np.load(file), expected)
-    more = ms.apply_filter(NEAREST, neighbour_number=5, **given)
+    more = ms.apply_filter(filters.NEAREST, neighbour_number=5, **given)
     np.testing.assert_array_equal(more["nearest"].reshape(4, 5)[:, 4], -1)
     assert np.isinf(more["distances"].reshape(4, 5)[:, 4]).all()
 
 
 @pytest.mark.parametrize("exact", [False, True])
 def test_distance_of_two_sets(ms, points, exact):
-    found = ms.apply_filter(SETS, source_layer=1, exact=exact, **points.parameters)
+    found = ms.apply_filter(filters.SETS, source_layer=1, exact=exact, **points.parameters)
     full = straight(points.at, BESIDE * [1, 1, 0])
     to_second, to_first = full.min(axis=1), full.min(axis=0)
     near = {"rtol": 1e-9 if exact else 1e-2, "atol": 1e-9}
@@ -171,7 +150,7 @@ def test_distance_of_two_sets(ms, points, exact):
 
 
 def test_voronoi_regions_and_borders(ms, points):
-    found = ms.apply_filter(VORONOI, exact=True, **points.parameters)
+    found = ms.apply_filter(filters.VORONOI, exact=True, **points.parameters)
     assert (layer_count(ms), ms.current_mesh_id()) == (3, 0)
     nearest = straight(VERTICES, points.at)
     region = ms.current_mesh().vertex_scalar_array().astype(int)
@@ -186,12 +165,12 @@ def test_voronoi_regions_and_borders(ms, points):
     clear = np.sort(centre, axis=1)
     of_first = (clear[:, 1] - clear[:, 0] > 0.3) & (centre.argmin(axis=1) == 0)
     assert len(np.unique(ms.current_mesh().face_color_matrix()[of_first], axis=0)) == 1
-    ms.apply_filter(VORONOI, borders=False, **points.parameters)
+    ms.apply_filter(filters.VORONOI, borders=False, **points.parameters)
     assert layer_count(ms) == 3
 
 
 def test_farthest_samples_begin_with_the_points(ms, points):
-    found = ms.apply_filter(FARTHEST, sample_number=12, from_selection=True, exact=True, **points.parameters)
+    found = ms.apply_filter(filters.FARTHEST, sample_number=12, from_selection=True, exact=True, **points.parameters)
     samples = ms.current_mesh()
     assert layer_count(ms) == 3
     assert samples.vertex_number() == found["samples"] == 12
@@ -205,7 +184,7 @@ def test_farthest_samples_begin_with_the_points(ms, points):
 
 
 def test_poisson_disk_sampling_is_spaced_and_maximal(ms):
-    found = ms.apply_filter(POISSON, radius=length(0.7), exact=True, seed=4)
+    found = ms.apply_filter(filters.POISSON, radius=length(0.7), exact=True, seed=4)
     at = VERTICES[found["vertices"].astype(int)]
     assert straight(at, at)[np.triu_indices(len(at), 1)].min() >= 0.7 - 1e-6
     assert straight(VERTICES, at).min(axis=1).max() < 0.7 + 1e-6
@@ -215,14 +194,14 @@ def test_poisson_disk_sampling_is_spaced_and_maximal(ms):
 def test_layers_lie_where_the_sampled_layer_lies(ms):
     matrix = np.array([[2, 0, 0, 5], [0, 2, 0, 6], [0, 0, 2, 7], [0, 0, 0, 1.0]])
     ms.apply_filter("set_matrix", transformmatrix=matrix, freeze=False)
-    ms.apply_filter(POISSON, radius=length(1.0))
+    ms.apply_filter(filters.POISSON, radius=length(1.0))
     local = ms.current_mesh().vertex_matrix().copy()
     ms.apply_filter("apply_matrix_freeze")
     np.testing.assert_allclose(ms.current_mesh().vertex_matrix(), 2 * local + [5, 6, 7])
 
 
 def test_lloyd_relaxation_lowers_the_energy(ms, points):
-    found = ms.apply_filter(LLOYD, rounds=8, exact=True, **points.parameters)
+    found = ms.apply_filter(filters.LLOYD, rounds=8, exact=True, **points.parameters)
     assert found["energy_after"] < found["energy_before"]
     assert 1 <= found["rounds"] <= 8
     np.testing.assert_array_equal(ms.current_mesh().vertex_matrix(), VERTICES[found["vertices"].astype(int)])
@@ -230,7 +209,7 @@ def test_lloyd_relaxation_lowers_the_energy(ms, points):
 
 @pytest.mark.parametrize("median", [False, True])
 def test_mean_of_points_of_the_plane(ms, points, median):
-    found = ms.apply_filter(MEAN, median=median, **points.parameters)
+    found = ms.apply_filter(filters.MEAN, median=median, **points.parameters)
     assert (layer_count(ms), ms.current_mesh().vertex_number()) == (3, 1)
     at = ms.current_mesh().vertex_matrix()[0]
     steps = points.at - at
@@ -246,17 +225,17 @@ def test_mean_of_points_of_the_plane(ms, points, median):
 
 def test_mean_at_a_vertex_and_of_two_components():
     ms = mesh_set(*side_by_side((VERTICES, FACES), (VERTICES, FACES)))
-    found = ms.apply_filter(MEAN, surface_points="110; 111; 112")
+    found = ms.apply_filter(filters.MEAN, surface_points="110; 111; 112")
     assert (found["vertex"], found["face"]) == (111, -1)
     ms.set_current_mesh(0)
     with fails_and_changes_nothing(ms, "No path leads from point 0 (vertex 7) to point 1 (vertex 400)"):
-        ms.apply_filter(MEAN, surface_points="7; 400")
+        ms.apply_filter(filters.MEAN, surface_points="7; 400")
 
 
 def test_disk_selects_vertices_and_faces(ms, points):
     for around, at in ((points.parameters, points.at), ({"vertex_index": 170}, VERTICES[[170]])):
         select_vertices(ms, SELECTED)
-        found = ms.apply_filter(DISK, radius=length(0.5), exact=True, **around)
+        found = ms.apply_filter(filters.DISK, radius=length(0.5), exact=True, **around)
         inside = straight(VERTICES, at).min(axis=1) <= 0.5
         np.testing.assert_array_equal(ms.current_mesh().vertex_selection_array(), inside)
         np.testing.assert_array_equal(ms.current_mesh().face_selection_array(), inside[FACES].all(axis=1))
@@ -266,11 +245,11 @@ def test_disk_selects_vertices_and_faces(ms, points):
 def test_area_of_disks_of_the_plane(ms, points):
     radius = 0.15  # the disks are apart; of those around vertices on the upper border half is there
     disks = np.where(points.at[:, 1] > 3 - 1e-9, 0.5, 1.0).sum()
-    found = ms.apply_filter(AREA, radius=length(radius), exact=True, **points.parameters)
+    found = ms.apply_filter(filters.AREA, radius=length(radius), exact=True, **points.parameters)
     assert found["area"] == pytest.approx(disks * np.pi * radius**2, rel=1e-4)
     assert found["border_length"] == pytest.approx(disks * 2 * np.pi * radius, rel=1e-4)
     assert found["snap_distance"] == pytest.approx(points.moved)
-    found = ms.apply_filter(AREA, radius=length(1.2), vertex_index=7 * 21 + 10, exact=True)
+    found = ms.apply_filter(filters.AREA, radius=length(1.2), vertex_index=7 * 21 + 10, exact=True)
     assert found["area"] == pytest.approx(np.pi * 1.2**2, rel=1e-4)
 
 
@@ -278,7 +257,7 @@ def test_area_of_disks_of_the_plane(ms, points):
 def test_area_of_a_band_round_a_line(ms, exact):
     line, width = np.array([[1.0, 1.1, 0.2], [2.6, 1.9, 0.1]]), 0.3
     ms.add_mesh(pymeshlab.Mesh(vertex_matrix=line, edge_matrix=np.array([[0, 1]])), set_as_current=False)
-    found = ms.apply_filter(BAND, curve_layer=2, width=length(width), spacing=length(0.01), exact=exact)
+    found = ms.apply_filter(filters.BAND, curve_layer=2, width=length(width), spacing=length(0.01), exact=exact)
     along = np.linalg.norm((line[1] - line[0])[:2])
     assert found["area"] == pytest.approx(2 * width * along + np.pi * width**2, rel=1e-3)
     assert found["border_length"] == pytest.approx(2 * along + 2 * np.pi * width, rel=3e-3)
@@ -295,7 +274,7 @@ def test_a_band_follows_the_shortest_paths_between_far_points(edges):
     line = np.array([[1.0, 0.8, -1.0], [3.0, 1.6, -1.0], [3.4, 1.76, -1.4]])  # laid out on one straight line
     lines = {} if edges is None else {"edge_matrix": np.array(edges)}
     ms.add_mesh(pymeshlab.Mesh(vertex_matrix=line, **lines), set_as_current=False)
-    found = ms.apply_filter(BAND, curve_layer=1, width=length(width), spacing=length(0.01), exact=True)
+    found = ms.apply_filter(filters.BAND, curve_layer=1, width=length(width), spacing=length(0.01), exact=True)
     along = np.hypot(2.4 * slope, 0.96)
     assert found["area"] == pytest.approx(2 * width * along + np.pi * width**2, rel=1e-3)
     assert found["border_length"] == pytest.approx(2 * along + 2 * np.pi * width, rel=3e-3)
@@ -308,7 +287,7 @@ def test_area_of_a_band_round_selected_edges():
     vertices[:, 2] = -np.abs(vertices[:, 0] - 2)
     ms = mesh_set(vertices, faces)
     ms.apply_filter("compute_selection_crease_per_edge", angledegneg=-30, angledegpos=30)
-    found = ms.apply_filter(BAND, width=length(0.5), spacing=length(0.01))
+    found = ms.apply_filter(filters.BAND, width=length(0.5), spacing=length(0.01))
     assert found["area"] == pytest.approx(3, rel=1e-3)
     assert found["border_length"] == pytest.approx(6, rel=1e-3)
 
@@ -329,7 +308,7 @@ def test_polygon_of_the_plane(by, cut_out):
     ms = with_attributes(VERTICES, FACES, VERTICES[:, 0])
     ms.add_mesh(pymeshlab.Mesh(BESIDE[[0, 2, 1, 3]]), set_as_current=False)
     given = {"point_layer": 1} if by == "layer" else {"surface_points": as_text(CORNERS)}
-    found = ms.apply_filter(POLYGON, cut_out=cut_out, **given)
+    found = ms.apply_filter(filters.POLYGON, cut_out=cut_out, **given)
     after, before = np.roll(CORNERS, -1, axis=0), np.roll(CORNERS, 1, axis=0)
     area = (CORNERS[:, 0] * after[:, 1] - CORNERS[:, 1] * after[:, 0]).sum() / 2
     perimeter = np.linalg.norm(after - CORNERS, axis=1).sum()
@@ -359,7 +338,7 @@ def test_polygon_of_the_plane(by, cut_out):
 def test_polygon_around_a_corner_of_a_box():
     """A triangle with three right angles more than the plane has: the curvature of the corner is pi / 2."""
     ms = mesh_set(np.eye(4, 3, -1), np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1]]))
-    found = ms.apply_filter(POLYGON, surface_points="0 0.5 0.5 0; 0 0.5 0 0.5; 1 0.5 0 0.5")
+    found = ms.apply_filter(filters.POLYGON, surface_points="0 0.5 0.5 0; 0 0.5 0 0.5; 1 0.5 0 0.5")
     assert found["curvature"] == pytest.approx(np.pi / 2, rel=1e-9)
     np.testing.assert_allclose(found["angles"], np.pi / 2, rtol=1e-9)
     assert found["area"] == pytest.approx(3 / 8, rel=1e-9)
@@ -368,7 +347,7 @@ def test_polygon_around_a_corner_of_a_box():
 
 @pytest.mark.parametrize("closed", [False, True])
 def test_path_through_points_in_their_order(ms, points, closed):
-    found = ms.apply_filter(PATH_THROUGH, closed=closed, **points.parameters)
+    found = ms.apply_filter(filters.PATH_THROUGH, closed=closed, **points.parameters)
     passed = points.at[[0, 1, 2, 3, 0]] if closed else points.at
     legs = np.linalg.norm(np.diff(passed, axis=0), axis=1)
     assert found["length"] == pytest.approx(legs.sum(), rel=1e-9)
@@ -387,7 +366,7 @@ def test_a_smooth_curve_in_the_plane_is_a_spline(ms, closed):
     """That of Catmull and Rom, by cubic Bezier curves."""
     through = BESIDE * [0.5, 0.5, 1] + [1, 1, 0]
     ms.add_mesh(pymeshlab.Mesh(through), set_as_current=False)
-    found = ms.apply_filter(SMOOTH, point_layer=2, closed=closed, samples=5)
+    found = ms.apply_filter(filters.SMOOTH, point_layer=2, closed=closed, samples=5)
     p = through * [1, 1, 0]
     onwards, back = np.roll(p, -1, axis=0) - p, np.roll(p, 1, axis=0) - p
     direction = (onwards - back) / 2
@@ -410,7 +389,7 @@ def test_a_smooth_curve_in_the_plane_is_a_spline(ms, closed):
 @pytest.mark.parametrize("degrees", [0, 120])
 def test_cut_locus_of_points_of_the_plane(ms, points, degrees):
     """The borders of their Voronoi regions, where two of them are seen in different directions."""
-    found = ms.apply_filter(CUT_LOCUS, min_angle=degrees, **points.parameters)
+    found = ms.apply_filter(filters.CUT_LOCUS, min_angle=degrees, **points.parameters)
     lines = ms.current_mesh()
     assert lines.edge_number() == found["segments"] > 10
     at = lines.vertex_matrix()
@@ -425,7 +404,7 @@ def test_cut_locus_of_points_of_the_plane(ms, points, degrees):
     assert seen[~meeting & is_end].min() >= degrees - 1e-6
     assert found["snap_distance"] == pytest.approx(points.moved)
     ms.set_current_mesh(0)
-    borders = ms.apply_filter(VORONOI, exact=True, **points.parameters)["border_length"]
+    borders = ms.apply_filter(filters.VORONOI, exact=True, **points.parameters)["border_length"]
     assert (found["length"] < 0.95 * borders) == (degrees > 0)
     if degrees == 0:
         assert found["length"] == pytest.approx(borders, rel=1e-6)
@@ -434,22 +413,22 @@ def test_cut_locus_of_points_of_the_plane(ms, points, degrees):
 def test_numpy_writes_points_as_the_filters_read_them(ms):
     index = vorogeo.GeodesicIndex(*arrays(ms))
     points = index.snap(BESIDE)
-    found = ms.apply_filter(MATRIX, surface_points=points.to_text())
+    found = ms.apply_filter(filters.MATRIX, surface_points=points.to_text())
     np.testing.assert_allclose(found["distances"].reshape(4, 4), index.distance_matrix(points), rtol=1e-12)
 
 
 def test_two_points_by_text_and_in_space(ms):
-    found = ms.apply_filter(TWO_POINTS, surface_points=as_text(BESIDE[[0, 3]]))
+    found = ms.apply_filter(filters.TWO_POINTS, surface_points=as_text(BESIDE[[0, 3]]))
     assert found["distance"] == pytest.approx(np.linalg.norm(BESIDE[0] - BESIDE[3]), rel=1e-12)
-    found = ms.apply_filter(TWO_POINTS, source=-1, target=-1, source_point=BESIDE[0], target_point=BESIDE[1])
+    found = ms.apply_filter(filters.TWO_POINTS, source=-1, target=-1, source_point=BESIDE[0], target_point=BESIDE[1])
     assert found["distance"] == pytest.approx(np.linalg.norm((BESIDE[0] - BESIDE[1])[:2]), rel=1e-6)
     assert found["target_snap_distance"] == pytest.approx(0.25, rel=1e-6)
 
 
 def test_isolines_of_a_distance_are_circles(ms):
     centre = 7 * 21 + 10
-    ms.apply_filter(EXACT_FROM_POINT, vertex_index=centre)
-    found = ms.apply_filter(ISOLINES, values="0.5 1.2")
+    ms.apply_filter(filters.EXACT_FROM_POINT, vertex_index=centre)
+    found = ms.apply_filter(filters.ISOLINES, values="0.5 1.2")
     lines = ms.current_mesh()
     radius = np.linalg.norm(lines.vertex_matrix() - VERTICES[centre], axis=1)
     np.testing.assert_allclose(radius, lines.vertex_scalar_array(), atol=1e-9)
@@ -460,8 +439,8 @@ def test_isolines_of_a_distance_are_circles(ms):
 
 def test_isolines_end_where_no_distance_is():
     ms = mesh_set(*side_by_side(sphere(3), sphere(2)))
-    ms.apply_filter(EXACT_FROM_POINT, vertex_index=0)
-    assert len(ms.apply_filter(ISOLINES, line_number=3)["values"]) == 3
+    ms.apply_filter(filters.EXACT_FROM_POINT, vertex_index=0)
+    assert len(ms.apply_filter(filters.ISOLINES, line_number=3)["values"]) == 3
     assert ms.current_mesh().vertex_matrix()[:, 0].max() <= 1
 
 
@@ -513,7 +492,7 @@ def test_a_cut_along_isolines_makes_parts_of_the_plane():
     centre = 7 * 21 + 10
     distance = np.linalg.norm(VERTICES - VERTICES[centre], axis=1)
     ms = with_attributes(VERTICES, FACES, distance)
-    found = ms.apply_filter(CUT, values="1.2 0.5 1.2")
+    found = ms.apply_filter(filters.CUT, values="1.2 0.5 1.2")
     assert found["parts"] == 3
     assert (layer_count(ms), ms.current_mesh_id()) == (4, 3)
     np.testing.assert_array_equal(found["regions"], [0, 1, 2])
@@ -534,7 +513,7 @@ def test_a_cut_along_isolines_makes_parts_of_the_plane():
 def test_a_cut_by_quality_where_the_metric_splits_faces():
     vertices, faces = np.array([[0, 0, 0], [2, 0, 0], [1, 0.5, 0], [1, -1, 0.0]]), np.array([[0, 1, 2], [1, 0, 3]])
     ms = with_attributes(vertices, faces, np.array([5.0, 5, 2, 5]))
-    found = ms.apply_filter(CUT, values="3", is_distance=False, metric="Vertex quality as cost")
+    found = ms.apply_filter(filters.CUT, values="3", is_distance=False, metric="Vertex quality as cost")
     np.testing.assert_array_equal(found["regions"], [0, 1])
     sizes = [areas(ms.mesh(i).vertex_matrix(), ms.mesh(i).face_matrix()).sum() for i in (1, 2)]
     # Below 3 is a third of the height of the upper face.
@@ -545,8 +524,8 @@ def test_a_cut_by_quality_where_the_metric_splits_faces():
 
 def test_what_has_no_distance_is_a_part_of_its_own():
     ms = mesh_set(*side_by_side(sphere(3), sphere(2)))
-    ms.apply_filter(EXACT_FROM_POINT, vertex_index=0)
-    found = ms.apply_filter(CUT, values="1")
+    ms.apply_filter(filters.EXACT_FROM_POINT, vertex_index=0)
+    found = ms.apply_filter(filters.CUT, values="1")
     np.testing.assert_array_equal(found["regions"], [0, 1, -1])
     assert ms.current_mesh().face_number() == len(sphere(2)[1])
     assert ms.current_mesh().vertex_matrix()[:, 0].min() > 5
@@ -556,7 +535,7 @@ def test_a_cut_along_a_line_from_border_to_border():
     ms = with_attributes(VERTICES, FACES, VERTICES[:, 0])
     line = pymeshlab.Mesh(vertex_matrix=np.array([[0, 1.1, 0], [4, 1.3, 0.0]]), edge_matrix=np.array([[0, 1]]))
     ms.add_mesh(line, set_as_current=False)
-    found = ms.apply_filter(CUT_CURVE, curve_layer=1)
+    found = ms.apply_filter(filters.CUT_CURVE, curve_layer=1)
     assert found["parts"] == 2
     assert (layer_count(ms), ms.current_mesh_id()) == (4, 3)
     sizes = []
@@ -580,7 +559,7 @@ def test_a_cut_along_a_closed_curve_leaves_other_components_out():
         pymeshlab.Mesh(vertex_matrix=ring, edge_matrix=np.column_stack([np.arange(30), np.roll(np.arange(30), -1)])),
         set_as_current=False,
     )
-    assert ms.apply_filter(CUT_CURVE, curve_layer=1)["parts"] == 2
+    assert ms.apply_filter(filters.CUT_CURVE, curve_layer=1)["parts"] == 2
     around = 20 * np.sin(np.pi / 10)
     sizes = [areas(ms.mesh(i).vertex_matrix(), ms.mesh(i).face_matrix()).sum() for i in (2, 3)]
     np.testing.assert_allclose(sorted(sizes), [2.3 * around, 3.7 * around], rtol=1e-9)
@@ -590,7 +569,7 @@ def test_a_curve_that_divides_nothing_is_refused(ms):
     line = pymeshlab.Mesh(vertex_matrix=np.array([[1, 1.1, 0], [3, 1.3, 0.0]]), edge_matrix=np.array([[0, 1]]))
     ms.add_mesh(line, set_as_current=False)
     with fails_and_changes_nothing(ms, "The curve does not divide the surface: the same part lies on both sides"):
-        ms.apply_filter(CUT_CURVE, curve_layer=2)
+        ms.apply_filter(filters.CUT_CURVE, curve_layer=2)
     assert layer_count(ms) == 3
 
 
@@ -599,7 +578,7 @@ def test_diameter_and_centre_bounds_hold():
     ms = mesh_set(vertices, faces)
     eccentricity = [exact_distances(vertices, faces, [v]).max() for v in range(len(vertices))]
     for fields in (2, 10):
-        found = ms.apply_filter(EXTENT, fields=fields, exact=True)
+        found = ms.apply_filter(filters.EXTENT, fields=fields, exact=True)
         assert found["diameter_lower"] - 1e-9 <= max(eccentricity) <= found["diameter_upper"] + 1e-9
         assert found["radius_lower"] - 1e-9 <= min(eccentricity) <= found["radius_upper"] + 1e-9
         np.testing.assert_allclose(eccentricity[found["centre"]], found["radius_upper"])
@@ -621,8 +600,8 @@ def patches_by_color(faces: np.ndarray, colors: np.ndarray) -> np.ndarray:
 def test_each_patch_is_one_connected_region_of_a_clear_colour(mesh, layer):
     vertices, faces = mesh
     ms = mesh_set(vertices, np.concatenate([faces, faces[:1]]))
-    built = ms.apply_filter(INDEX, n1=15, n2=6)
-    result = ms.apply_filter(PATCHES, layer=layer)
+    built = ms.apply_filter(filters.INDEX, n1=15, n2=6)
+    result = ms.apply_filter(filters.PATCHES, layer=layer)
     assert result["patches"] == built["first_layer_patches" if layer == 1 else "second_layer_patches"]
     colors = ms.current_mesh().face_color_matrix() * 255
     np.testing.assert_allclose(colors[-1], [160, 160, 160, 255])  # a repeated face is in no patch

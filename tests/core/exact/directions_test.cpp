@@ -18,6 +18,7 @@
 #include "support/hostile_meshes.h"
 #include "support/near.h"
 #include "support/ply.h"
+#include "support/refusal.h"
 #include "support/shapes.h"
 #include "support/surface_walk.h"
 
@@ -422,12 +423,7 @@ TEST(Straightest, AVectorOfLengthZeroStays) {
 
 std::string refusal_at(const test::Soup& soup, const SurfacePoint& point) {
   const auto mesh = test::make_mesh(soup);
-  try {
-    const TangentFrame frame(ExactGeometry(mesh), validated(*mesh, point));
-  } catch (const InvalidInput& error) {
-    return error.what();
-  }
-  return "none";
+  return test::refusal([&] { TangentFrame(ExactGeometry(mesh), validated(*mesh, point)); });
 }
 
 TEST(TangentFrame, RefusesPointsWithoutDirectionsByName) {

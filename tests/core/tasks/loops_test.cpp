@@ -10,7 +10,7 @@
 
 #include "exact/surface_path.h"
 #include "mesh/vectors.h"
-#include "support/error.h"
+#include "support/refusal.h"
 #include "support/shapes.h"
 #include "tasks/girth.h"
 #include "tasks/profile.h"
@@ -28,16 +28,6 @@ Surface surface_on(const test::Soup& soup) {
 void expect_closed(const Surface& surface, const SurfacePath& loop) {
   EXPECT_TRUE(is_same_point(*surface.mesh(), loop.points.front(), loop.points.back()));
   EXPECT_NEAR(measured_length(*surface.mesh(), loop.points).length, loop.length, 1e-12 * loop.length);
-}
-
-template <class Question>
-std::string sentence_of(Question&& question) {
-  try {
-    question();
-  } catch (const InvalidInput& error) {
-    return error.what();
-  }
-  return "not refused";
 }
 
 TEST(Loops, OfABoxAreItsGirthsHoweverItsFacesAreTurned) {
@@ -99,9 +89,9 @@ TEST(Loops, OfASphereSlipOff) {
     EXPECT_GT(found.section.length, 0.98 * 2.0 * pi);  // a plane through the normal halves the sphere
     EXPECT_EQ(found.loop.length, 0.0);
     EXPECT_EQ(found.loop.points.size(), 1U);
-    EXPECT_NE(sentence_of([&] { tighten(surface, PointList(found.section.points)); }).find("slips off"),
+    EXPECT_NE(test::refusal([&] { tighten(surface, PointList(found.section.points)); }).find("slips off"),
               std::string::npos);
-    EXPECT_NE(sentence_of([&] {
+    EXPECT_NE(test::refusal([&] {
                 shortest_loop(surface, SurfacePoint::at_vertex(v), {});
               }).find("Every loop through vertex " + std::to_string(v) + " contracts"),
               std::string::npos);
@@ -126,7 +116,7 @@ TEST(Loops, AreRefusedWhereThreeFacesMeet) {
   Surface surface = surface_on(soup);
   const auto corner = static_cast<Index>(soup.positions.size()) - 1;
   const std::string sentence =
-      sentence_of([&] { shortest_loop(surface, SurfacePoint::at_vertex(corner), {}); });
+      test::refusal([&] { shortest_loop(surface, SurfacePoint::at_vertex(corner), {}); });
   EXPECT_NE(sentence.find(" has 3 faces"), std::string::npos) << sentence;
 }
 

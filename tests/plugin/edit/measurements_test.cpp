@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "support/error.h"
+#include "support/refusal.h"
 #include "support/types.h"
 
 namespace vorogeo::plugin {
@@ -59,17 +59,6 @@ const VcgMeshArrays mesh = triangle(1.0);
 /// Compares with a mesh that is the same in every metric.
 void compare(Measurements& list, int layer, const VcgMeshArrays& now) {
   list.compare(layer, [&](const RulerMetric&) { return &now; });
-}
-
-/// The sentence of an error, empty without one.
-template <class Run>
-std::string sentence_of(Run&& run) {
-  try {
-    run();
-  } catch (const InvalidInput& error) {
-    return error.what();
-  }
-  return {};
 }
 
 TEST(Measurements, NumbersAreNeverUsedAgain) {
@@ -296,7 +285,7 @@ TEST(Measurements, CsvFilesOfAnotherKindChangeNothingAndNameTheLine) {
   const auto sentence_of_import = [&](const std::string& from, const std::string& to) {
     std::string text = good;
     text.replace(text.find(from), from.size(), to);
-    return sentence_of([&] { list.add_csv(text, [](const std::string&) { return 0; }); });
+    return test::refusal([&] { list.add_csv(text, [](const std::string&) { return 0; }); });
   };
   EXPECT_NE(sentence_of_import(good, "x,y\n1,2\n").find("no columns kind and points"), std::string::npos);
   EXPECT_NE(sentence_of_import(good, "").find("no columns kind and points"), std::string::npos);
@@ -362,7 +351,7 @@ TEST(Measurements, DamagedFilesChangeNothingAndNameTheLine) {
   list.add(over_a_corner(0), mesh);
   const std::string text = list.text();
   const auto sentence_of_reading = [&](const std::string& damaged) {
-    return sentence_of([&] { list.read(damaged, [](const std::string&) { return 0; }); });
+    return test::refusal([&] { list.read(damaged, [](const std::string&) { return 0; }); });
   };
   EXPECT_NE(sentence_of_reading("").find("no columns kind and points"), std::string::npos);
   EXPECT_NE(sentence_of_reading(text.substr(0, text.size() - 9)).find("Line 2 of the measurements has"),

@@ -1,4 +1,4 @@
-// Dijkstra's order over vertices, for the methods that differ only in what they compute from it.
+// Dijkstra's order over vertices, for searches that differ only in what they compute from it.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,10 @@ namespace vorogeo {
 class VertexSearch {
  public:
   VertexSearch(Index vertices, std::span<const Index> sources)
-      : distance_(vertices, unreachable), settled_(vertices, 0) {
+      : VertexSearch(std::vector<double>(vertices, unreachable), sources) {}
+  /// Only where sources are nearer than these distances.
+  VertexSearch(std::vector<double> distances, std::span<const Index> sources)
+      : distance_(std::move(distances)), settled_(distance_.size(), 0) {
     for (Index source : sources) lower(source, 0.0);
   }
 
