@@ -269,8 +269,6 @@ namespace {
 /// With more vertices than this, an exact run takes long beside an answer of tables: a tenth of a second on
 /// needles.
 constexpr Index few_vertices = 10000;
-/// Of the entries that tables should have at most: with fewer, another partition would save little.
-constexpr double many_entries = 0.55;
 /// Another partition has to have fewer than this part of the entries of the usual one.
 constexpr double worth_changing = 0.9;
 
@@ -287,7 +285,7 @@ Partition partition_for_index(const Mesh& mesh, const PartitionOptions& options,
     return make_partition(mesh, {1, 1, options.seed, options.threads}, progress.part(0.5, 1.0));
   }
   const double entries = expected_entries(mesh, usual, borders, {wanted_length(mesh), true});
-  if (entries <= many_entries) return usual;
+  if (entries <= 1.0) return usual;
   PartitionOptions by_edges = options;
   by_edges.cells = FrontMeasure::edge_count;
   Partition other = make_partition(mesh, by_edges, progress.part(0.5, 1.0));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "support/lists.h"
@@ -11,7 +12,7 @@
 
 namespace vorogeo {
 
-// ---- Dinic's algorithm: breadth-first levels, then paths along them until none is left
+// ---- Dinic's algorithm: breadth-first levels from the sink, then paths along them until none is left
 
 void MinCut::reset(Index nodes) {
   first_.assign(nodes, no_index);
@@ -25,56 +26,75 @@ void MinCut::join(Index a, Index b, std::int64_t capacity) {
   first_[b] = static_cast<Index>(arcs_.size()) - 1;
 }
 
-/// Numbers of arcs with room from the source, -1 where there is no path; whether the sink has one.
+/// Numbers of arcs with room to the sink, of nodes nearer to it than the source; whether the source has one.
 bool MinCut::find_levels() {
   level_.assign(first_.size(), -1);
-  queue_.assign(1, source);
-  level_[source] = 0;
+  queue_.assign(1, sink);
+  level_[sink] = 0;
   for (std::size_t i = 0; i < queue_.size(); ++i) {
     const Index node = queue_[i];
     for (Index a = first_[node]; a != no_index; a = arcs_[a].next) {
-      if (arcs_[a].room == 0 || level_[arcs_[a].to] >= 0) continue;
-      level_[arcs_[a].to] = level_[node] + 1;
-      queue_.push_back(arcs_[a].to);
+      const Index from = arcs_[a].to;
+      if (arcs_[a ^ 1].room == 0 || level_[from] >= 0) continue;
+      level_[from] = level_[node] + 1;
+      if (from == source) return true;
+      queue_.push_back(from);
     }
   }
-  return level_[sink] >= 0;
+  return false;
 }
 
-/// Sends what one path along the levels can take; 0 if there is none.
-std::int64_t MinCut::augment() {
+/// Sends as much as paths along falling levels can take.
+std::int64_t MinCut::send() {
+  std::int64_t total = 0;
+  next_arc_ = first_;
   path_.clear();
-  Index at = source;
-  while (at != sink) {
+  for (Index at = source;;) {
     Index& a = next_arc_[at];
-    while (a != no_index && (arcs_[a].room == 0 || level_[arcs_[a].to] != level_[at] + 1)) a = arcs_[a].next;
-    if (a != no_index) {
-      path_.push_back(a);
-      at = arcs_[a].to;
+    while (a != no_index && (arcs_[a].room == 0 || level_[arcs_[a].to] != level_[at] - 1)) a = arcs_[a].next;
+    if (a == no_index) {
+      if (path_.empty()) return total;
+      // A dead end: the arc that led here is passed over from now on.
+      at = arcs_[path_.back() ^ 1].to;
+      next_arc_[at] = arcs_[next_arc_[at]].next;
+      path_.pop_back();
       continue;
     }
-    if (path_.empty()) return 0;
-    // A dead end: the arc that led here is passed over from now on.
-    at = arcs_[path_.back() ^ 1].to;
-    next_arc_[at] = arcs_[next_arc_[at]].next;
-    path_.pop_back();
+    path_.push_back(a);
+    at = arcs_[a].to;
+    if (at != sink) continue;
+    std::int64_t sent = std::numeric_limits<std::int64_t>::max();
+    for (Index arc : path_) sent = std::min(sent, arcs_[arc].room);
+    for (Index arc : path_) {
+      arcs_[arc].room -= sent;
+      arcs_[arc ^ 1].room += sent;
+    }
+    total += sent;
+    // The next path leaves this one where it is full.
+    const auto full = std::ranges::find_if(path_, [&](Index arc) { return arcs_[arc].room == 0; });
+    at = arcs_[*full ^ 1].to;
+    path_.erase(full, path_.end());
   }
-  std::int64_t sent = std::numeric_limits<std::int64_t>::max();
-  for (Index a : path_) sent = std::min(sent, arcs_[a].room);
-  for (Index a : path_) {
-    arcs_[a].room -= sent;
-    arcs_[a ^ 1].room += sent;
-  }
-  return sent;
 }
 
 std::int64_t MinCut::run() {
   std::int64_t total = 0;
-  while (find_levels()) {
-    next_arc_ = first_;
-    for (std::int64_t sent = augment(); sent > 0; sent = augment()) total += sent;
-  }
+  while (find_levels()) total += send();
+  find_reached();
   return total;
+}
+
+void MinCut::find_reached() {
+  beside_source_.assign(first_.size(), 0);
+  queue_.assign(1, source);
+  beside_source_[source] = 1;
+  for (std::size_t i = 0; i < queue_.size(); ++i) {
+    for (Index a = first_[queue_[i]]; a != no_index; a = arcs_[a].next) {
+      if (arcs_[a].room == 0 || beside_source_[arcs_[a].to] != 0) continue;
+      beside_source_[arcs_[a].to] = 1;
+      queue_.push_back(arcs_[a].to);
+    }
+  }
 }
 
 // ---- A cut through a band of faces on both sides of each border

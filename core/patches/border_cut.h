@@ -27,7 +27,7 @@ class MinCut {
   /// passes.
   std::int64_t run();
   /// After run(): whether a node is on the source's side.
-  bool beside_source(Index node) const { return level_[node] >= 0; }
+  bool beside_source(Index node) const { return beside_source_[node] != 0; }
 
  private:
   struct Arc {
@@ -36,7 +36,9 @@ class MinCut {
     std::int64_t room;
   };
   bool find_levels();
-  std::int64_t augment();
+  std::int64_t send();
+  /// Which nodes the source reaches by arcs with room.
+  void find_reached();
 
   std::vector<Index> first_;  ///< arc, by node
   std::vector<Arc> arcs_;     ///< those of one edge are 2 k and 2 k + 1
@@ -44,6 +46,7 @@ class MinCut {
   std::vector<Index> next_arc_;
   std::vector<Index> queue_;
   std::vector<Index> path_;
+  std::vector<std::uint8_t> beside_source_;  ///< by node: 1 or 0
 };
 
 // ---- Borders between patches with few nodes, by minimum cuts

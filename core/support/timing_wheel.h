@@ -68,6 +68,8 @@ class TimingWheel {
     std::vector<Entry>& entries = slots_[wheel * slot_count + slot];
     current_ = least_of(entries);
     falling_.swap(entries);
+    // Room for the entries of hundreds of slots: none of these needs so much for itself.
+    std::vector<Entry>().swap(entries);
     free_slot(wheel, slot);
     count_ -= falling_.size();
     for (const Entry& entry : falling_) add(entry);
@@ -140,8 +142,8 @@ class TimingWheel {
     return std::ranges::min(entries, {}, &Entry::bucket).bucket;
   }
 
-  /// Its memory goes to the slots that are filled next, so that all memory is that of the slots in use at a
-  /// time.
+  /// What memory it has goes to the slots that are filled next, so that all memory is that of the slots in
+  /// use at a time.
   void free_slot(int wheel, std::int64_t slot) {
     occupied_[wheel][slot / 64] &= ~(std::uint64_t{1} << (slot % 64));
     std::vector<Entry>& entries = slots_[wheel * slot_count + slot];

@@ -169,6 +169,23 @@ TEST(BucketQueue, KeysOfAllScalesCostAConstantEach) {
   for (int times : taken) ASSERT_EQ(times, 1);
 }
 
+TEST(BucketQueue, MemoryStaysThatOfTheEntriesHoweverOftenItIsUsed) {
+  // Keys over several turns of the first wheel, so that entries lie together on the second before each gets a
+  // bucket of its own there. An entry takes 16 bytes, and lists have up to twice the room that they need.
+  constexpr Index count = 20000;
+  BucketQueue queue;
+  queue.resize(count);
+  const std::size_t empty = queue.memory_bytes();
+  std::mt19937 random(std::random_device{}());
+  std::uniform_real_distribution<double> key(0.0, 1000.0);
+  for (int use = 0; use < 20; ++use) {
+    queue.reset(1.0);
+    for (Index item = 0; item < count; ++item) queue.push(item, key(random));
+    for (Index item = 0; item < count; ++item) ASSERT_NE(queue.pop(), no_index);
+  }
+  EXPECT_LT(queue.memory_bytes() - empty, 6u * 16u * count);
+}
+
 TEST(BucketQueue, GivesWhatASortedListGivesWhateverTheWidthsLimitsAndLateKeys) {
   // The pattern of solvers that share a run: items up to a limit are taken, each adds others at distances of
   // all scales; then others come from elsewhere, also below what was taken, and the limit moves on.
