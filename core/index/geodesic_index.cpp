@@ -54,8 +54,12 @@ std::unique_ptr<IndexData> begin_data(std::shared_ptr<const Mesh> mesh, const In
   const Watch watch(progress, "Reading the mesh");
   data->head.fingerprint = fingerprint_of(*data->mesh);
   data->head.delta = options.delta;
-  data->head.numbers = {options.seed, 0, 0, static_cast<std::uint64_t>(options.first_layer_patches),
-                        static_cast<std::uint64_t>(options.second_layer_patches)};
+  data->head.numbers = {options.seed,
+                        0,
+                        0,
+                        static_cast<std::uint64_t>(options.first_layer_patches),
+                        static_cast<std::uint64_t>(options.second_layer_patches),
+                        0};
   return data;
 }
 
@@ -79,6 +83,7 @@ void fill_data(IndexData& data, const IndexOptions& options, BuildFile* file, co
   data.head.numbers[IndexHead::pairs] =
       static_cast<std::uint64_t>(pairs_of_nodes(data.first) + pairs_of_nodes(data.second));
   data.head.numbers[IndexHead::form] = form == IndexForm::graph ? 1 : 0;
+  data.head.numbers[IndexHead::layout] = checksum_of_layout(data);
   require_memory_for_tables(data, form, file != nullptr);
   TableRooms rooms;
   {

@@ -22,12 +22,12 @@ namespace vorogeo {
 /// What an index is of and how it was asked for: the beginning of its file.
 struct IndexHead {
   /// Places of numbers: seed, pairs of border nodes of both layers, form (0: tables, 1: graph), patches asked
-  /// for.
-  enum Number { seed, pairs, form, first_patches, second_patches };
+  /// for, and a checksum of the places that tables have (checksum_of_layout).
+  enum Number { seed, pairs, form, first_patches, second_patches, layout };
 
   Fingerprint fingerprint;
   double delta = 0.0;
-  std::array<std::uint64_t, 5> numbers{};
+  std::array<std::uint64_t, 6> numbers{};
 
   bool has_options_of(const IndexHead& other) const {
     return delta == other.delta &&

@@ -20,7 +20,7 @@ namespace vorogeo {
 namespace {
 
 constexpr std::array<char, 8> magic{'V', 'O', 'R', 'O', 'G', 'E', 'O', '\n'};
-constexpr std::uint32_t version = 12;
+constexpr std::uint32_t version = 13;
 constexpr std::uint32_t byte_order = 0x01020304;
 constexpr std::uint32_t swapped_byte_order = 0x04030201;
 
@@ -267,6 +267,14 @@ void check_graph(IndexFileReader& in, const TransitGraph& graph, const PatchLaye
 
 }  // namespace
 
+std::uint64_t checksum_of_layout(const IndexData& data) {
+  std::uint64_t sum = 0;
+  for (const auto* places : {&data.second.member.element, &data.second.node_place, &data.first.node_place}) {
+    sum = std::rotl(sum, 1) ^ block_checksum(std::as_bytes(std::span(*places)));
+  }
+  return sum;
+}
+
 std::unique_ptr<IndexData> read_index(IndexFileReader& in, const std::filesystem::path& file,
                                       std::shared_ptr<const Mesh> mesh, TableStorage storage) {
   auto data = std::make_unique<IndexData>();
@@ -288,6 +296,9 @@ std::unique_ptr<IndexData> read_index(IndexFileReader& in, const std::filesystem
   for_each_patch_block(*data, read);
   check_partition(in, data->partition);
   data->lay_out(0, {});
+  if (data->head.numbers[IndexHead::layout] != checksum_of_layout(*data)) {
+    in.fail("was written by another version of VoroGeo, which places border vertices elsewhere");
+  }
   for_each_table_block(*data, read);
   check_layer(in, data->second);
   check_layer(in, data->first);
@@ -370,7 +381,7 @@ void require_same(const std::filesystem::path& file, const IndexHead& index) {
 namespace {
 
 constexpr std::array<char, 8> build_magic{'V', 'O', 'R', 'O', 'B', 'L', 'D', '\n'};
-constexpr std::uint64_t build_version = 5;
+constexpr std::uint64_t build_version = 6;
 constexpr std::uint64_t page = 4096;
 
 std::uint64_t up_to_page(std::uint64_t place) { return (place + page - 1) / page * page; }

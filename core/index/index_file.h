@@ -167,6 +167,10 @@ class IndexFileReader {
   std::span<const std::byte> left_;  ///< what was not yet read
 };
 
+/// Of the places that rows and columns of the tables belong to. They follow from mesh and patches, but not in
+/// the same way in every version: distances in a file are worth nothing without their places.
+std::uint64_t checksum_of_layout(const IndexData& data);
+
 /// Reads an index and ties it to its mesh; `in` is then behind its last block. \throw IndexFileError as
 /// GeodesicIndex::load.
 std::unique_ptr<IndexData> read_index(IndexFileReader& in, const std::filesystem::path& file,

@@ -151,7 +151,7 @@ TEST(IndexFile, FilesOfAnotherKindOrVersion) {
   std::string newer = sample.good;
   newer[8] = 99;
   EXPECT_EQ(sample.reading_of(newer),
-            sample.named(" has format version 99, this program reads version 12; build the index again."));
+            sample.named(" has format version 99, this program reads version 13; build the index again."));
   const std::string other_order =
       sample.named(" was written on a machine of the other byte order; build the index again on this one.");
   std::string swapped = sample.good;
@@ -298,6 +298,29 @@ TEST_F(DamagedIndex, AFormThatDoesNotExist) {
   EXPECT_EQ(loading_with(test::numbers, 2, std::uint64_t{2}), damaged("its form is unknown"));
   EXPECT_EQ(loading_with(test::numbers, 2, std::uint64_t{1}), damaged("a block has the wrong size"))
       << "tables are not a graph";
+}
+
+TEST_F(DamagedIndex, PlacesOfAnotherVersionAreNoDamage) {
+  const std::string other_version = "The index file " + file_.string() +
+                                    " was written by another version of VoroGeo, which places border "
+                                    "vertices elsewhere; build the index again.";
+  constexpr std::size_t layout = 5;
+  auto blocks = blocks_;
+  blocks[test::numbers].set<std::uint64_t>(layout, ~blocks_[test::numbers].get<std::uint64_t>(layout));
+  EXPECT_EQ(loading(blocks), other_version);
+  // Nor if its tables have other sizes.
+  auto& table = blocks[test::second_table];
+  table.contents.resize(table.contents.size() - 64 * sizeof(std::uint16_t));
+  EXPECT_EQ(loading(blocks), other_version);
+  // A face in another patch is that as well: the places on its border are others.
+  const Index patch = blocks_[test::second_layer].get<Index>(0);
+  for (std::size_t f = 1; f < blocks_[test::second_layer].count(); ++f) {
+    const Index next = blocks_[test::second_layer].get<Index>(f);
+    if (next == patch || blocks_[test::parent].get<Index>(next) != blocks_[test::parent].get<Index>(patch))
+      continue;
+    EXPECT_EQ(loading_with(test::second_layer, 0, next), other_version);
+    break;
+  }
 }
 
 /// The same for an index in the form of a graph.
