@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+import filters
 import numpy as np
 import pygeodesic.geodesic
 import pymeshlab
@@ -69,6 +70,17 @@ def sphere(subdivisions: int) -> Arrays:
         v0, v1, v2 = faces.T
         faces = np.concatenate([np.column_stack(t) for t in [(v0, a, c), (v1, b, a), (v2, c, b), (a, b, c)]])
     return vertices / np.linalg.norm(vertices, axis=1, keepdims=True), faces.astype(np.int32)
+
+
+def mesh_for(name: str) -> Arrays:
+    """A mesh that a filter can answer on.
+
+    For a girth a ball: sections of a rectangle meet its border; for loops a tube, which points 3, 31 and 143 lie
+    around. Those of the rectangle lead from border to border.
+    """
+    if name == filters.GIRTH:
+        return sphere(2)
+    return tube([1.0] * 12) if name in (filters.TIGHT, filters.LOOP) else grid(12, 12)
 
 
 def length(value: float) -> object:

@@ -14,10 +14,10 @@ from support import (
     field,
     grid,
     layer_count,
+    mesh_for,
     mesh_set,
     select_vertices,
     sphere,
-    tube,
 )
 
 # What these filters need beyond a surface with a selection.
@@ -37,18 +37,8 @@ NEEDED = {
 
 
 def surface_for(name: str, size: float):
-    """A mesh of its own for every test, so that no test finds the index of another, and a layer of points.
-
-    For a girth a ball: sections of a rectangle meet its border; for loops a tube, which the points lie around. Those
-    of the rectangle lead from border to border.
-    """
-    vertices, faces = (
-        sphere(2)
-        if name == filters.GIRTH
-        else tube([1.0] * 12)
-        if name in (filters.TIGHT, filters.LOOP)
-        else grid(12, 12)
-    )
+    """A mesh of its own for every test, so that no test finds the index of another, and a layer of points."""
+    vertices, faces = mesh_for(name)
     vertices = vertices * size
     ms = mesh_set(vertices, faces)
     select_vertices(ms, [0, 50])

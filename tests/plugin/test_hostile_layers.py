@@ -16,14 +16,23 @@ from support import (
     layer_count,
     length,
     logged,
+    mesh_for,
     mesh_set,
     select_vertices,
     side_by_side,
     sphere,
     state,
-    tube,
 )
 
+CURVE_FILTERS = (
+    filters.TIGHT,
+    filters.CUT_CURVE,
+    filters.SIGNED,
+    filters.BAND,
+    filters.PROFILE,
+    filters.REGION,
+    filters.LOOP,
+)
 NEEDED = {
     filters.FROM_LAYER: {"source_layer": 1},
     filters.FROM_EDGES: {"from_border": True},
@@ -31,18 +40,7 @@ NEEDED = {
     filters.SETS: {"source_layer": 1},
     filters.PATH: {"target": 1, "source": 0},
     filters.TWO_POINTS: {"target": 1, "source": 0},
-    **{
-        name: {"curve_layer": 1}
-        for name in (
-            filters.TIGHT,
-            filters.CUT_CURVE,
-            filters.SIGNED,
-            filters.BAND,
-            filters.PROFILE,
-            filters.REGION,
-            filters.LOOP,
-        )
-    },
+    **{name: {"curve_layer": 1} for name in CURVE_FILTERS},
     filters.ISOLINES: {"is_distance": False},
     filters.CUT: {"is_distance": False},
     filters.METHOD_TABLE: {"methods": "dijkstra"},
@@ -253,13 +251,7 @@ def test_vertices_that_no_path_reaches_are_told():
 @pytest.mark.parametrize(
     "name",
     [
-        filters.TIGHT,
-        filters.CUT_CURVE,
-        filters.SIGNED,
-        filters.BAND,
-        filters.PROFILE,
-        filters.REGION,
-        filters.LOOP,
+        *CURVE_FILTERS,
         filters.FROM_LAYER,
         filters.PATH_THROUGH,
         filters.SMOOTH,
@@ -285,13 +277,7 @@ def test_a_curve_with_a_coordinate_that_is_not_finite_is_named(name):
 def test_a_filter_that_is_cancelled_later_has_done_nothing_or_all(name):
     seed = np.random.SeedSequence().entropy % 2**32
     random = np.random.default_rng(seed)
-    at, rows = (
-        sphere(2)
-        if name == filters.GIRTH
-        else tube([1.0] * 12)
-        if name in (filters.TIGHT, filters.LOOP)
-        else grid(12, 12)
-    )
+    at, rows = mesh_for(name)
     at = at * random.uniform(1, 2)
     where = [3, 31, 143] if len(at) > 143 else [3, 31, 90]
     numbers = {**NEEDED.get(name, {}), **({"point_layer": 1} if name in (filters.POLYGON, filters.SMOOTH) else {})}
