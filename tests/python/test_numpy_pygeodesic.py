@@ -6,6 +6,7 @@ component only: for a vertex that it cannot reach, it reads the nearest source f
 
 from __future__ import annotations
 
+import itertools
 import subprocess
 import sys
 from pathlib import Path
@@ -16,7 +17,6 @@ import vorogeo
 from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
-from test_numpy_paths import check_path
 
 from sample_meshes import SHARED, Mesh, real_mesh
 
@@ -117,6 +117,18 @@ def test_equals_pygeodesic_or_a_path_proves_a_shorter_distance(name, tmp_path):
         path = vorogeo.exact_path(vertices, faces, source, int(target))
         check_path(vertices, faces, path)
         assert path.length == pytest.approx(field[target], rel=1e-9)
+
+
+def check_path(vertices: NDArray[np.float64], faces: NDArray[np.int32], path: vorogeo.GeodesicPath) -> None:
+    """Consecutive points share a face, lie where their weights say, and are as far apart as the length says."""
+    points = path.surface_points
+    np.testing.assert_allclose(points.positions(vertices, faces), path.points, atol=1e-12)
+    steps = np.linalg.norm(np.diff(path.points, axis=0), axis=1)
+    assert steps.sum() == pytest.approx(path.length, rel=1e-9, abs=1e-12)
+    corners = [face[weights > 0] for face, weights in zip(faces[points.faces], points.barycentric, strict=True)]
+    for one, other in itertools.pairwise(corners):
+        both = np.union1d(one, other)
+        assert (np.isin(faces, both).sum(axis=1) == len(both)).any()
 
 
 def reference_field(mesh: Mesh, folder: Path) -> tuple[int, NDArray[np.float64]]:
