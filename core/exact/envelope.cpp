@@ -323,80 +323,106 @@ void WindowEnvelope::divide_among(Window window, double at_begin, double at_end)
   if (open) add_piece(window, piece, window.end);
 }
 
-// ---- Room for the windows of an edge: blocks of a power of two in one pool, reused by size
+// ---- Room for the windows of an edge: a block of a power of two in one pool
 
 namespace {
 
 /// Pools from this size on ask for memory before they grow.
 constexpr std::size_t large_pool = std::size_t{1} << 25;
 
-/// Capacity for `size` windows. A system may grant more memory than it has, and end the process that uses it;
-/// so what large pools need is compared with what is available. \throw NotEnoughMemory.
-void make_room(std::vector<Window>& pool, std::size_t size) {
-  if (size <= pool.capacity() || pool.capacity() * sizeof(Window) < large_pool) return;
-  const std::size_t room = std::max(size, pool.capacity() + pool.capacity() / 2);
-  require_memory(
-      static_cast<double>(room) * sizeof(Window), 0,
-      "An exact propagation on this mesh has made " + std::to_string(pool.size()) +
-          " windows and is not done; room for more",
-      "Take the method quick or an index instead, give a greatest distance, or use fewer threads.");
-  pool.reserve(room);
-}
+/// Lists are looked through from this size class on: shorter ones have hardly begun when they are done.
+constexpr int least_let_go = 5;
+
+/// Offset of what stands for the windows of a part of an edge that the front has passed: nothing is nearer.
+constexpr double passed = -unreachable;
 
 }  // namespace
 
 double WindowEnvelope::store() {
   if (changed_) {
     List& list = lists_[open_];
-    const std::uint32_t old_offset = list.offset;
+    const auto size = [&] { return kept_ + before_.size() + after_.size() + (list.size - rest_); };
+    std::size_t room = size();
+    if (list.size_class >= least_let_go && room > std::size_t{1} << list.size_class) {
+      let_go_behind_front(list);
+      // As many are to come as were looked at, before all are looked at again.
+      if (size() <= std::size_t{1} << (list.size_class - 1)) room = size();
+    }
+    const Window* const old = list.first;
     const std::uint32_t tail = list.size - rest_;
     const auto end = static_cast<std::uint32_t>(kept_ + before_.size() + after_.size());
     const bool new_behind = list.new_end > rest_;
     list.new_begin = list.new_begin < list.new_end ? std::min(list.new_begin, kept_) : kept_;
     list.new_end = new_behind ? list.new_end - rest_ + end : end;
-    take_room(list, std::size_t{end} + tail);
+    take_room(list, room);
     list.size = end + tail;
-    const auto from = pool_.begin() + old_offset;
-    const auto to = pool_.begin() + list.offset;
-    if (list.offset != old_offset) std::copy_n(from, kept_, to);
-    if (list.offset == old_offset && end > rest_) {
-      std::copy_backward(from + rest_, from + rest_ + tail, to + list.size);
-    } else if (list.offset != old_offset || end < rest_) {
-      std::copy_n(from + rest_, tail, to + end);
+    if (list.first != old) std::copy_n(old, kept_, list.first);
+    if (list.first == old && end > rest_) {
+      std::copy_backward(old + rest_, old + rest_ + tail, list.first + list.size);
+    } else if (list.first != old || end < rest_) {
+      std::copy_n(old + rest_, tail, list.first + end);
     }
-    auto place = std::copy_n(before_.data(), before_.size(), to + kept_);
+    auto place = std::copy_n(before_.data(), before_.size(), list.first + kept_);
     for (std::size_t i = after_.size(); i > 0; --i) *place++ = after_.data()[i - 1];
   }
   open_ = no_index;
   return least_;
 }
 
+void WindowEnvelope::let_go_behind_front(List& list) {
+  std::uint32_t new_begin = 0, new_end = 0;
+  const auto let_go = [&](std::uint32_t begin, std::uint32_t end) {
+    std::uint32_t place = begin;
+    for (std::uint32_t i = begin; i < end; ++i) {
+      Window window = list.first[i];
+      if (!window.is_propagated()) {
+        if (new_end == 0) new_begin = place;
+        new_end = place + 1;
+      } else if (const double at_begin = window.distance(window.begin);
+                 std::max(at_begin, window.distance(window.end)) * (1.0 + tie) < front_) {
+        // What lies between two of them can be reached along the edge.
+        Window* const last = place > begin ? &list.first[place - 1] : nullptr;
+        if (last != nullptr && last->offset == passed && window.offset != passed &&
+            (at_begin + (window.begin - last->end)) * (1.0 + tie) < front_) {
+          last->end = window.end;
+          continue;
+        }
+        window.offset = passed;
+      }
+      list.first[place++] = window;
+    }
+    return place;
+  };
+  kept_ = let_go(0, kept_);
+  list.size = let_go(rest_, list.size);
+  list.new_begin = new_begin;
+  list.new_end = new_end;
+}
+
 void WindowEnvelope::take_room(List& list, std::size_t size) {
   if (list.size_class != 0 && size <= std::size_t{1} << list.size_class) return;
-  if (list.size_class == 0) {
-    touched_.push_back(open_);
-  } else {
-    give_back(list);
-  }
-  list.size_class = static_cast<std::uint8_t>(std::max<int>(2, std::bit_width(size - 1)));
-  auto& free = free_[list.size_class];
-  if (free.empty()) {
-    if (pool_.size() + (std::size_t{1} << list.size_class) > std::numeric_limits<std::uint32_t>::max()) {
-      throw NotEnoughMemory(
-          "Exact distances on this mesh take more than 4294967295 windows at a time. Give a maximal "
-          "distance, or use a smaller mesh.");
+  const int size_class = BlockPool<Window>::size_class(size);
+  if (!pool_.has_room(size_class)) {
+    // A system may grant more memory than it has, and end the process that uses it; so what large pools need
+    // is compared with what is available.
+    if (pool_.size() * sizeof(Window) >= large_pool) {
+      require_memory(
+          static_cast<double>(pool_.next_chunk(size_class)) * sizeof(Window), 0,
+          "An exact propagation on this mesh has made " + std::to_string(made_) +
+              " windows and is not done; room for more",
+          "Take the method quick or an index instead, give a greatest distance, or use fewer threads.");
     }
-    list.offset = static_cast<std::uint32_t>(pool_.size());
-    make_room(pool_, pool_.size() + (std::size_t{1} << list.size_class));
-    pool_.resize(pool_.size() + (std::size_t{1} << list.size_class));
-  } else {
-    list.offset = free.back();
-    free.pop_back();
+    pool_.grow_for(size_class);
   }
+  Window* const block = pool_.take(size_class);
+  if (list.size_class == 0) touched_.push_back(open_);
+  give_back(list);  // store() copies from it before another block is taken
+  list.first = block;
+  list.size_class = static_cast<std::uint8_t>(size_class);
 }
 
 void WindowEnvelope::give_back(List& list) {
-  if (list.size_class != 0) free_[list.size_class].push_back(list.offset);
+  if (list.size_class != 0) pool_.give_back(list.first, list.size_class);
 }
 
 void WindowEnvelope::retire(Index edge) {
@@ -412,9 +438,9 @@ void WindowEnvelope::clear() {
   for (Index edge : touched_) lists_[edge] = {};
   touched_.clear();
   pool_.clear();
-  for (auto& blocks : free_) blocks.clear();
   open_ = no_index;
   made_ = 0;
+  front_ = -unreachable;
 }
 
 }  // namespace vorogeo

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "support/block_pool.h"
 #include "support/types.h"
 
 namespace vorogeo {
@@ -92,15 +93,13 @@ class WindowEnvelope {
     by_lengths_ = by_lengths;
   }
 
-  std::span<const Window> windows(Index edge) const {
-    return {pool_.data() + lists_[edge].offset, lists_[edge].size};
-  }
-  std::span<Window> windows(Index edge) { return {pool_.data() + lists_[edge].offset, lists_[edge].size}; }
+  std::span<const Window> windows(Index edge) const { return {lists_[edge].first, lists_[edge].size}; }
+  std::span<Window> windows(Index edge) { return {lists_[edge].first, lists_[edge].size}; }
 
   /// Windows of an edge among which are all that have been inserted since take_new().
   std::span<Window> new_windows(Index edge) {
     const List& list = lists_[edge];
-    return {pool_.data() + list.offset + list.new_begin, list.new_end - list.new_begin};
+    return {list.first + list.new_begin, list.new_end - list.new_begin};
   }
   void take_new(Index edge) { lists_[edge].new_begin = lists_[edge].new_end = 0; }
 
@@ -136,6 +135,9 @@ class WindowEnvelope {
   /// Closes the open edge. Returns the least distance of the parts inserted, infinity if there are none.
   double store();
 
+  /// From now on no window can be shorter where the distance is less than `front`, and nobody asks for the
+  /// windows there.
+  void pass(double front) { front_ = front; }
   /// Drops the windows of an edge on which no later window can be shorter; the edge accepts no more.
   void retire(Index edge);
   bool is_retired(Index edge) const { return lists_[edge].retired; }
@@ -144,12 +146,12 @@ class WindowEnvelope {
   /// Pieces inserted since clear().
   std::size_t made() const { return made_; }
   std::size_t memory_bytes() const {
-    return pool_.capacity() * sizeof(Window) + lists_.capacity() * sizeof(List);
+    return pool_.size() * sizeof(Window) + lists_.capacity() * sizeof(List);
   }
 
  private:
   struct List {
-    std::uint32_t offset = 0;
+    Window* first = nullptr;
     std::uint32_t size = 0;
     std::uint32_t new_begin = 0;  ///< of new_windows()
     std::uint32_t new_end = 0;
@@ -249,10 +251,10 @@ class WindowEnvelope {
   }
   void add_old(const Window& old, double begin, double end);
   void give_back(List& list);
+  void let_go_behind_front(List& list);
   void take_room(List& list, std::size_t size);
 
-  std::vector<Window> pool_;
-  std::array<std::vector<std::uint32_t>, 32> free_;  ///< offsets of unused blocks by size class
+  BlockPool<Window> pool_;
   std::vector<List> lists_;
   std::vector<Index> touched_;
   bool by_lengths_ = false;
@@ -269,6 +271,7 @@ class WindowEnvelope {
   double left_end_ = -unreachable;    ///< where the last window before the split ends
   double right_begin_ = unreachable;  ///< where the first one behind it begins
   std::size_t made_ = 0;
+  double front_ = -unreachable;
 };
 
 }  // namespace vorogeo

@@ -803,6 +803,7 @@ void ExactSolver::State::close_edges_at(Index vertex) {
 }
 
 void ExactSolver::State::close_edges_behind(double front) {
+  envelope.pass(front);
   // A bound whose bucket lies before that of the front is below the front.
   const std::int64_t bucket = queue.bucket_at(front);
   if (bucket <= closed_before) return;

@@ -62,6 +62,54 @@ TEST(WindowEnvelope, AloneAWindowStaysWhole) {
   EXPECT_EQ(list[0].end, 0.9);
 }
 
+TEST(WindowEnvelope, WhatTheFrontHasPassedStaysWithWhatIsThere) {
+  // Two envelopes get the same windows, none nearer than the front: where the one that knows it has let go
+  // of windows, the other has distances that the front has passed; elsewhere, the two are the same.
+  std::mt19937 random(std::random_device{}());
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  WindowEnvelope whole;
+  whole.resize(1);
+  WindowEnvelope passed;
+  passed.resize(1);
+  constexpr double length = 100.0;
+  double front = 0.0;
+  std::size_t fewer = 0;
+  for (int batch = 0; batch < 600; ++batch) {
+    front += 0.1 * uniform(random);
+    passed.pass(front);
+    const double begin = length * uniform(random);
+    Window next = window(begin, std::min(length, begin + 2.0 * uniform(random)),
+                         begin + 4.0 * uniform(random) - 1.0, 0.01 + uniform(random), 0.0);
+    next.offset = front + 3.0 * uniform(random) - next.least_distance() + next.offset;
+    for (WindowEnvelope* envelope : {&whole, &passed}) {
+      insert(*envelope, 0, next);
+      for (Window& taken : envelope->new_windows(0)) taken.set_propagated();
+      envelope->take_new(0);
+    }
+    const auto all = windows_of(whole, 0);
+    const auto left = windows_of(passed, 0);
+    ASSERT_TRUE(std::ranges::is_sorted(left, {}, &Window::begin));
+    fewer = std::max(fewer, all.size() - std::min(all.size(), left.size()));
+    for (int look = 0; look < 50; ++look) {
+      const double x = length * uniform(random);
+      const double expected = value_at(all, x);
+      const double found = value_at(left, x);
+      if (found == -unreachable) {
+        // In a gap, the nearest window tells.
+        double nearest = expected;
+        for (const Window& w : all) {
+          const double aside = std::max({0.0, w.begin - x, x - w.end});
+          nearest = std::min(nearest, w.distance(std::clamp(x, w.begin, w.end)) + aside);
+        }
+        EXPECT_LT(nearest, front);
+      } else {
+        EXPECT_DOUBLE_EQ(found, expected);
+      }
+    }
+  }
+  EXPECT_GT(fewer, 10U);
+}
+
 TEST(WindowEnvelope, NewWindowsAreAllThatCameSinceTheyWereTaken) {
   WindowEnvelope envelope;
   envelope.resize(1);
