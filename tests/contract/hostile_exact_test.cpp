@@ -233,6 +233,13 @@ TEST(ExactFieldContract, AFanOfNeedlesThatIsCutAndJoinedIsNotCrossedAgainAndAgai
   }
 }
 
+TEST(ExactFieldContract, AGearOfContractedEdgesIsNotCrossedAgainAndAgain) {
+  // 15,645 faces with sides of next to no length: a handful of windows for each.
+  ExactSolver solver(test::make_mesh(test::hostile_mesh(2914000100, 2500).soup));
+  solver.run_from_vertices(std::array{Index{1109}}, {.distances_only = true});
+  EXPECT_LE(solver.window_count(), 200'000U);
+}
+
 TEST(ExactFieldContract, ATubeThatRoundedLengthsTwistIsNotFollowedRoundByRound) {
   // Four vertices at one place lead to an outlier. Scaled by a cost, their edges are rounded so that a path
   // round them is shorter by a unit in the last place, however often it goes round.
@@ -315,7 +322,8 @@ TEST(IndexContract, BuildsEndOnExtrusionsFansAndSpikesWithRoundedCoordinates) {
     Index patches = 0;  ///< in each layer; 0: chosen
   };
   // As chosen by default: hostile_costs_test.cpp.
-  for (const Case& one : {Case{703485, 2500, 0.01}, Case{370004788, 60, 0.0, 2}}) {
+  for (const Case& one :
+       {Case{703485, 2500, 0.01}, Case{370004788, 60, 0.0, 2}, Case{4000030420, 60, 0.01, 2}}) {
     const auto mesh = test::make_mesh(test::hostile_mesh(one.seed, one.size).soup);
     IndexOptions options;
     options.delta = one.delta;
