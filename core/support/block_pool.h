@@ -34,8 +34,9 @@ class BlockPool {
     const int own = chunk_class(size_class);
     const std::size_t size = std::size_t{1} << own;
     Memory elements(static_cast<Element*>(::operator new(size * sizeof(Element))));
-    free_[own].push_back(elements.get());
+    Element* const block = elements.get();
     chunks_.push_back({std::move(elements), own});
+    free_[own].push_back(block);
     size_ += size;
   }
 
