@@ -278,6 +278,9 @@ constexpr double near_edge = 1e-6;
 /// length, are one up to the rounding of the crossings that led there.
 constexpr double same_source = 1e-13;
 
+/// A wave this far behind another one, relative to its distance, is the same up to rounding.
+constexpr double greatest_lag = 1e-12;
+
 /// Opens a window that ends about where such a pseudo-source lies: whether a ray passes on this or the other
 /// side of that end is rounding. Each direction through the gap, of some units in the last place of positions
 /// and distances, is a path; without it, a sector in the shadow of a vertex that lies on the edge would be
@@ -588,36 +591,75 @@ void ExactSolver::State::pass_through(const Window& window) {
     if (was_passed(next)) continue;
     const Index entry = next.entry();
     for (Index h = mesh.next_around_edge(entry); h != entry; h = mesh.next_around_edge(h)) {
-      crossing.assign(1, {next, 0.0});
+      crossing.assign(1, {next, 0.0, 0});
       cross_face(h);
     }
   }
   passes_through = false;
 }
 
-inline bool ExactSolver::State::is_continued(Index edge, const Window& window, const Window& next) const {
-  const double length = mesh.edge_length(edge);
+inline bool ExactSolver::State::is_same_beam(Index edge, const Window& window, const Window& next) const {
   if (window.offset != next.offset || window.source != next.source || window.came_from != next.came_from)
     return false;
-  const double scale = geometry->scale_at(edge, next.begin, next.distance(next.begin), length);
+  const double scale =
+      geometry->scale_at(edge, next.begin, next.distance(next.begin), mesh.edge_length(edge));
   const double tolerance = same_source * (std::abs(window.source_x) + window.source_y + scale);
-  if (std::abs(window.source_x - next.source_x) + std::abs(window.source_y - next.source_y) > tolerance ||
-      window.source_y < near_edge * scale)
-    return false;
-  return next.begin - window.end <= least_width * scale;
+  return std::abs(window.source_x - next.source_x) + std::abs(window.source_y - next.source_y) <= tolerance &&
+         window.source_y >= near_edge * scale;
+}
+
+inline bool ExactSolver::State::is_in_beam(const Window& window, const Window& beam) {
+  const double along = window.source_x - beam.source_x;
+  const double away = beam.source_y - window.source_y;
+  const auto is_on_ray = [&](double x) {
+    const double distance = beam.plane_distance(x);
+    const double ahead = (along * (x - beam.source_x) + away * beam.source_y) / distance;
+    const double lag = window.offset - beam.offset - ahead;
+    return std::abs(lag) <= greatest_lag * (beam.offset + distance);
+  };
+  return is_on_ray(window.begin) && is_on_ray(window.end);
+}
+
+inline std::size_t ExactSolver::State::continued_by(Index edge, std::span<const Window> windows,
+                                                    std::size_t i) const {
+  const Window& next = windows[i];
+  const double length = mesh.edge_length(edge);
+  const double lit = sector_tolerance * length;
+  std::size_t beam = i;
+  do {
+    if (beam == 0) return i;
+    const Window& window = windows[--beam];
+    if (is_same_beam(edge, window, next)) break;
+    if (!(window.end - window.begin < lit)) return i;
+  } while (true);
+  const double gap = least_width * geometry->scale_at(edge, next.begin, next.distance(next.begin), length);
+  double end = windows[beam].end;
+  for (std::size_t between = beam + 1; between < i; ++between) {
+    const Window& window = windows[between];
+    if (window.end - end <= gap) continue;
+    if (window.begin - end > gap || !is_in_beam(window, next)) return i;
+    end = window.end;
+  }
+  return next.begin - end <= gap ? beam : i;
 }
 
 void ExactSolver::State::take_edge(Index edge) {
   const Index first = mesh.edge_halfedge(edge);
   Index h = first;
   do {
+    const std::span<const Window> windows = envelope.new_windows(edge);
     crossing.clear();
-    for (const Window& window : envelope.new_windows(edge)) {
-      if (window.is_propagated() || window.came_from == h) continue;
-      if (!crossing.empty() && is_continued(edge, crossing.back().window, window)) {
-        crossing.back().window.end = window.end;
+    for (std::size_t i = 0; i < windows.size(); ++i) {
+      if (windows[i].is_propagated() || windows[i].came_from == h) continue;
+      const std::size_t begun = continued_by(edge, windows, i);
+      std::size_t beam = crossing.size();
+      while (beam > 0 && crossing[beam - 1].last > begun) --beam;
+      if (begun < i && beam > 0 && crossing[beam - 1].last == begun) {
+        crossing.resize(beam);
+        crossing.back().window.end = windows[i].end;
+        crossing.back().last = i;
       } else {
-        crossing.push_back({window, 0.0});
+        crossing.push_back({windows[i], 0.0, i});
       }
     }
     if (merge_tolerance > 0.0 && crossing.size() > 1) merge_crossing(edge);

@@ -328,11 +328,20 @@ struct ExactSolver::State {
   struct Crossing {
     Window window;
     double to_apex;
+    std::size_t last;  ///< in the windows of the edge: the last one of its beam
   };
   std::vector<Crossing> crossing;
-  /// Whether the next window of an edge goes on where this one ends: rays of one pseudo-source that passed a
-  /// flat vertex on its two sides. Left apart, a fan of needles in a plane would double them at each edge.
-  bool is_continued(Index edge, const Window& window, const Window& next) const;
+  /// Whether two windows of an edge, in this order, are seen from one pseudo-source through the same faces.
+  bool is_same_beam(Index edge, const Window& window, const Window& next) const;
+  /// Whether a window between two of a beam has its pseudo-source on the rays that are missing there: then
+  /// its wave is never ahead of the beam's, nor behind it however far they go, as it would be in the shadow
+  /// of a hole.
+  static bool is_in_beam(const Window& window, const Window& beam);
+  /// Which of the windows before it the i-th one continues: rays of one pseudo-source that passed flat
+  /// vertices on their two sides, with nothing between but what such a vertex lights where rounding has left
+  /// them apart. `i`: none. Left apart, a fan of needles in a plane would double windows at each edge, and
+  /// each vertex part all that is behind it.
+  std::size_t continued_by(Index edge, std::span<const Window> windows, std::size_t i) const;
   bool passes_through = false;
   std::vector<Window> through;  ///< windows whose pseudo-source lies on their edge, in pass_through()
   struct PassedPoint {

@@ -240,6 +240,15 @@ TEST(ExactFieldContract, AGearOfContractedEdgesIsNotCrossedAgainAndAgain) {
   EXPECT_LE(solver.window_count(), 200'000U);
 }
 
+TEST(ExactFieldContract, ACylinderOfStripsThatPlanesCutIsSeenAsOne) {
+  // 70,715 edges, and flat vertices where six planes cross the strips: each would part all that passes it.
+  ExactSolver solver(test::make_mesh(test::hostile_mesh(4207840011, 4000).soup));
+  for (const Index source : {2301, 9582, 16976}) {
+    solver.run_from_vertices(std::array{source}, {.distances_only = true});
+    EXPECT_LE(solver.window_count(), 2'000'000U) << source;
+  }
+}
+
 TEST(ExactFieldContract, ATubeThatRoundedLengthsTwistIsNotFollowedRoundByRound) {
   // Four vertices at one place lead to an outlier. Scaled by a cost, their edges are rounded so that a path
   // round them is shorter by a unit in the last place, however often it goes round.

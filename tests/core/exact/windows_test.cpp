@@ -119,7 +119,7 @@ TEST(Propagation, WindowsThatAFlatVertexPartedGoOnAsOne) {
         const double straight = std::hypot(at[0] - from[0], at[1] - from[1]);
         ASSERT_NEAR(solver.distance(v), straight, 1e-12) << source << " to " << v;
       }
-      EXPECT_LT(solver.window_count(), 6.0 * mesh->edge_count()) << source;
+      EXPECT_LT(solver.window_count(), 3.0 * mesh->edge_count()) << source;
     }
   }
 }
