@@ -441,7 +441,8 @@ void Measurements::take(const std::string& text, bool whole, const LayerOf& laye
   if (lines.empty() || std::ranges::count(lines[0], "kind") != 1 ||
       std::ranges::count(lines[0], "points") != 1) {
     throw InvalidInput(
-        "The file has no columns kind and points in its first line: choose one that the ruler has saved.");
+        "The first line has no columns kind and points, as a table of this version of the ruler has: "
+        "open a CSV file that Save... wrote, or measure again.");
   }
   std::vector<Measurement> found;
   std::size_t unit = whole ? 0 : static_cast<std::size_t>(unit_);

@@ -114,7 +114,8 @@ void RulerTool::load(Measurements& list) {
     log(GLLogStream::FILTER, "Ruler: " + std::to_string(list.all().size()) + " measurements read from " +
                                  stored_file_.toStdString());
   } catch (const Error& error) {
-    const QString kept = stored_file_ + ".unreadable";
+    QString kept = stored_file_ + ".unreadable";
+    for (int i = 2; QFile::exists(kept); ++i) kept = stored_file_ + ".unreadable" + QString::number(i);
     file.rename(kept);
     log(GLLogStream::WARNING, "Ruler: " + stored_file_.toStdString() + ": " + error.what() +
                                   " It is kept as " + kept.toStdString() + ".");

@@ -22,6 +22,8 @@ PROJECT = """<!DOCTYPE MeshLabDocument>
  <RasterGroup/>
 </MeshLabProject>
 """
+# What the ruler wrote beside a project when its file was not yet a table.
+OF_BEFORE = "VoroGeo measurements 1\nunit mm\nlast 1\nmeasurement 1 distance exact 7 9 0\nname distance 1\n"
 # Places of the view, as in ruler.py: corners of a triangle beside the hole of the plate, and places on the sphere.
 CORNERS = ((0.078, 0.166), (0.318, 0.166), (0.318, 0.106))
 FIRST, SECOND, THIRD = (-0.28, 0.06), (-0.2, 0.12), (-0.13, 0.05)
@@ -49,6 +51,7 @@ class RulerTable(Script):
         self.change_the_table()
         self.edit()
         self.reopen()
+        self.open_beside_a_file_of_before()
 
     def note(self, key: str) -> None:
         """Keep the table and a picture."""
@@ -152,6 +155,20 @@ class RulerTable(Script):
         self.seen["stored again"] = wait_for(
             "the file beside the project", lambda: other.is_file() and other.read_text()
         )
+
+    def open_beside_a_file_of_before(self) -> None:
+        """The project has a file that the ruler cannot read, as it had one earlier."""
+        self.window.quit()
+        file = self.folder / "meshes" / "table.mlp.measurements"
+        file.write_text(OF_BEFORE)
+        file.with_name(f"{file.name}.unreadable").write_text("an earlier one")
+        self.window = self.open()
+        self.window.toggle()
+        self.seen["unreadable line"] = wait_for(
+            "the sentence", lambda: next((line for line in self.window.ruler_lines() if str(file) in line), None)
+        )
+        self.seen["unreadable rows"] = self.window.rows()
+        self.seen["unreadable files"] = {path.name: path.read_text() for path in file.parent.glob(f"{file.name}*")}
 
 
 if __name__ == "__main__":

@@ -114,3 +114,13 @@ def test_the_project_has_its_measurements_when_it_is_opened_again(seen):
 
 def test_the_file_is_written_beside_a_project_that_is_saved(seen):
     assert seen["stored again"] == seen["stored"]
+
+
+def test_a_file_of_before_is_kept_under_another_name_that_the_log_names(seen):
+    assert "no columns kind and points" in seen["unreadable line"]
+    assert seen["unreadable line"].endswith("table.mlp.measurements.unreadable2.")
+    assert seen["unreadable rows"] == []
+    files = seen["unreadable files"]
+    assert files["table.mlp.measurements.unreadable"] == "an earlier one"
+    assert files["table.mlp.measurements.unreadable2"].startswith("VoroGeo measurements 1\n")
+    assert len(files) == 2

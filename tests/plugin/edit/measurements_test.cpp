@@ -354,6 +354,8 @@ TEST(Measurements, DamagedFilesChangeNothingAndNameTheLine) {
     return test::refusal([&] { list.read(damaged, [](const std::string&) { return 0; }); });
   };
   EXPECT_NE(sentence_of_reading("").find("no columns kind and points"), std::string::npos);
+  EXPECT_NE(sentence_of_reading("VoroGeo measurements 1\nunit mm\n").find("no columns kind and points"),
+            std::string::npos);
   EXPECT_NE(sentence_of_reading(text.substr(0, text.size() - 9)).find("Line 2 of the measurements has"),
             std::string::npos);
   const std::vector<std::pair<std::string, std::string>> spoilt = {
