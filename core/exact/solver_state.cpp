@@ -662,7 +662,7 @@ void ExactSolver::State::take_edge(Index edge) {
         crossing.push_back({windows[i], 0.0, i});
       }
     }
-    if (merge_tolerance > 0.0 && crossing.size() > 1) merge_crossing(edge);
+    if (merge_tolerance > 0.0 && crossing.size() > 1) merge_crossing(h);
     if (!crossing.empty()) cross_face(h);
     h = mesh.next_around_edge(h);
   } while (h != first);
@@ -716,11 +716,13 @@ double deviation(const Window& merged, const Window& a, const Window& b) {
 
 }  // namespace
 
-void ExactSolver::State::merge_crossing(Index edge) {
+void ExactSolver::State::merge_crossing(Index halfedge) {
+  const Index edge = mesh.edge_of(halfedge);
   const double length = mesh.edge_length(edge);
-  // Windows travel on from long faces to short ones, whose edges may be shorter than the tolerance on a long
-  // edge; and long edges lead into parts that are smaller altogether, where the distance itself bounds it.
-  const double tolerance = merge_tolerance * std::min(length, mesh.typical_edge_length());
+  // A way round a tube of needles is hardly longer than they are wide: were more taken off a distance than
+  // that, or a slit beside a merged window handed round, there would be no end. Long edges lead into parts
+  // that are smaller altogether, where the distance itself bounds it.
+  const double tolerance = merge_tolerance * std::min(length, geometry->frame[halfedge].apex_depth);
   // Far out on a long edge, the distances have not the digits from which a pseudo-source could be made again:
   // around an outlier a window would get nearer by rounding each time round, without end.
   const bool is_long = geometry->is_long(edge);

@@ -350,7 +350,7 @@ struct ExactSolver::State {
   };
   std::unordered_map<Index, std::vector<PassedPoint>> points_passed;  ///< by the half-edge of entry
   /// Merges neighbouring windows of `crossing` where merge_tolerance allows it (solver_state.cpp).
-  void merge_crossing(Index edge);
+  void merge_crossing(Index halfedge);
   double merge_tolerance = 0.0;
   const TangentFrame* directions = nullptr;  ///< at the only source, if they are wanted
   /// The open edge, to which windows are being added, and the distances of its ends.
