@@ -723,6 +723,11 @@ void ExactSolver::State::merge_crossing(Index halfedge) {
   // that, or a slit beside a merged window handed round, there would be no end. Long edges lead into parts
   // that are smaller altogether, where the distance itself bounds it.
   const double tolerance = merge_tolerance * std::min(length, geometry->frame[halfedge].apex_depth);
+  // Far out on a long edge, the distances have not the digits from which a pseudo-source could be made again:
+  // around an outlier a window would get nearer by rounding each time round, without end.
+  const bool is_long = geometry->is_long(edge);
+  const double greatest_end =
+      is_long ? ExactGeometry::long_beside_small * geometry->fineness[edge] : unreachable;
   std::size_t last = 0;
   double deviated = 0.0;  // largest deviation from the windows that the last one replaces
   for (std::size_t i = 1; i < crossing.size(); ++i) {
@@ -731,7 +736,7 @@ void ExactSolver::State::merge_crossing(Index halfedge) {
     Window merged;
     const double end_rounding =
         1e-9 * geometry->scale_at(edge, window.end, window.offset + window.source_y, length);
-    if (next.source == window.source && next.came_from == window.came_from &&
+    if (next.end <= greatest_end && next.source == window.source && next.came_from == window.came_from &&
         std::abs(next.begin - window.end) <= end_rounding && merge(window, next, merged)) {
       const double sum = deviated + deviation(merged, window, next);
       if (sum <= tolerance &&

@@ -141,7 +141,8 @@ INSTANTIATE_TEST_SUITE_P(Seeds, CostContract,
                                          Seed{1014910, 600, "6,448 times the memory of a field"},
                                          Seed{702020, 2500, "89 times the time of regions", most_of_fans},
                                          Seed{1009633, 2500, "303 times the memory of pairs"},
-                                         Seed{704420, 600, "36 times the memory of a build"}),
+                                         Seed{704420, 600, "36 times the memory of a build"},
+                                         Seed{4267833709, 2500, "134 times the memory of a build"}),
                          [](const auto& seed) { return std::to_string(seed.param.seed); });
 
 /// These seeds once erred by 31 % in a field, and by .9 % between two points, at single vertices.
