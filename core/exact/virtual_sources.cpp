@@ -20,8 +20,8 @@ constexpr double face_bucket_width = 0.5;
 /// by passing that vertex on its other side: farther away, other vertices are likely to be in between.
 constexpr double max_aside = 0.6;
 
-/// Edges shorter than this part of the longest one of their face are not crossed: the apex is placed with so
-/// much rounding that their direction is unknown, and hardly anything is reached through them alone.
+/// Edges shorter than this part of the longest one of their face are passed at an end, not crossed: the apex
+/// is placed with so much rounding that their direction is unknown.
 constexpr double least_length = 1e-12;
 
 using PlanePoint = std::array<double, 2>;
@@ -129,23 +129,27 @@ void VirtualSources::take(const FaceSource& found, double distance, double reach
   if (distance - reach <= max_distance_) queue_.push(face, distance);
 }
 
+/// Starts in a face that holds the point with these weights.
+void VirtualSources::start_in(Index face, const std::array<double, 3>& weights, double offset, Index id) {
+  const auto [edge, apex, tail, head, opposite] = over(records_[face], 0);
+  FaceSource found;
+  found.at = {weights[1] * edge + weights[2] * apex[0], weights[2] * apex[1]};
+  found.sigma = offset;
+  found.base = 3 * face;
+  found.source = id;
+  const PlanePoint corners[3] = {{0.0, 0.0}, {edge, 0.0}, apex};
+  for (int i = 0; i < 3; ++i) {
+    reach_vertex(mesh_->face_vertices(face)[i], offset + between(found.at, corners[i]), id);
+  }
+  const double distance = offset + between(found.at, {(edge + apex[0]) / 3.0, apex[1] / 3.0});
+  if (is_nearer(face, distance)) take(found, distance, std::max(edge, apex[1]));
+}
+
 /// Starts in all faces that hold the point.
 void VirtualSources::start_at(const SurfacePoint& point, double offset, Index id) {
   if (point.is_vertex()) reach_vertex(point.vertex, offset, id);
   for_each_face_at(*mesh_, point, [&](Index face, const std::array<double, 3>& weights) {
-    const Index base = 3 * face;
-    const auto [edge, apex, tail, head, opposite] = over(records_[face], 0);
-    FaceSource found;
-    found.at = {weights[1] * edge + weights[2] * apex[0], weights[2] * apex[1]};
-    found.sigma = offset;
-    found.base = base;
-    found.source = id;
-    const PlanePoint corners[3] = {{0.0, 0.0}, {edge, 0.0}, apex};
-    for (int i = 0; i < 3; ++i) {
-      reach_vertex(mesh_->face_vertices(face)[i], offset + between(found.at, corners[i]), id);
-    }
-    const double distance = offset + between(found.at, {(edge + apex[0]) / 3.0, apex[1] / 3.0});
-    if (is_nearer(face, distance)) take(found, distance, std::max(edge, apex[1]));
+    start_in(face, weights, offset, id);
   });
 }
 
@@ -168,7 +172,14 @@ void VirtualSources::hand_on(Index face) {
       const PlanePoint& from = corner[i];
       const PlanePoint& to = corner[i + 1];
       const double length = record.length[side];
-      if (!(length > least_length * longest)) continue;
+      if (!(length > least_length * longest)) {
+        // Both its ends are one place, from which the face behind may be reached alone.
+        const VertexRecord& end = vertices_[other.vertex[g % 3]];
+        std::array<double, 3> weights{};
+        weights[g % 3] = 1.0;
+        if (end.distance < unreachable) start_in(Mesh::face_of(g), weights, end.distance, end.source);
+        continue;
+      }
       const double scale = 1.0 / length;
       const PlanePoint direction{(to[0] - from[0]) * scale, (to[1] - from[1]) * scale};
       // Half a turn, or a reflection where both faces run along the edge in one direction.

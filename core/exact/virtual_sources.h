@@ -83,6 +83,7 @@ class VirtualSources {
     How how;
   };
 
+  void start_in(Index face, const std::array<double, 3>& weights, double offset, Index id);
   void start_at(const SurfacePoint& point, double offset, Index id);
   void reach_vertex(Index vertex, double distance, Index source);
   void hand_on(Index face);

@@ -44,9 +44,9 @@ HostileCase::HostileCase(unsigned case_seed, HostileMesh mesh_of_seed, HostileTa
   options.delta = random.one_in(4) ? 0.01 : 0.0;
   // Most meshes here are smaller than one automatic patch, which answers everything exactly. With patches as
   // small as these, all borders are split into many parts: twelve of them take 0.15 s whatever the mesh.
-  constexpr std::array<std::array<Index, 2>, 3> patches{{{2, 2}, {3, 4}, {6, 2}}};
+  constexpr std::array<std::array<Index, 2>, 3> counts{{{2, 2}, {3, 4}, {6, 2}}};
   if (random.below(10) < 6) return;
-  const auto [first, second] = patches[random.one_in(12) ? random.between(1, 2) : 0];
+  const auto [first, second] = counts[random.one_in(12) ? random.between(1, 2) : 0];
   if (first * second > static_cast<Index>(hostile.soup.faces.size() / 4)) return;
   options.first_layer_patches = first;
   options.second_layer_patches = second;
@@ -179,7 +179,7 @@ void check_costs(HostileCase& hostile, ScanCosts& scans) {
   // Soups have more faces than a surface over their vertices.
   const std::size_t size =
       std::max(hostile.hostile.soup.positions.size(), hostile.hostile.soup.faces.size() / 2);
-  const Costs& scan = scans.of(size, hostile.options);
+  const Costs& scan = scans.of(size, hostile.patches, hostile.options);
   // The errors of the clock and of a handful of pages.
   constexpr double clock = 0.01;
   constexpr double some_bytes = 1 << 20;

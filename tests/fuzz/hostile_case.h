@@ -57,6 +57,7 @@ class HostileCase {
   HostileRandom random;  ///< what is asked
   IndexOptions options;  ///< of the index
   Costs costs{};         ///< of the steps asked for
+  Index patches = 0;     ///< of the second layer of the index
   std::shared_ptr<const Mesh> mesh;
   std::unique_ptr<SurfaceWalk> walk;
   HostileTally& tally;

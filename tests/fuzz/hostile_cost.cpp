@@ -86,9 +86,17 @@ Cost cost_of(const std::function<void()>& run) {
   return {processor_seconds() - start, static_cast<double>(peak_bytes() - before)};
 }
 
-const Costs& ScanCosts::of(std::size_t vertices, const IndexOptions& options) {
-  // On a smaller one, there may be a single patch and no tables where the mesh has several patches.
+const Costs& ScanCosts::of(std::size_t vertices, Index patches, const IndexOptions& options) {
   const std::size_t size = std::bit_ceil(std::max<std::size_t>(vertices, 32));
+  const Measured& chosen = measured(size, options);
+  if (patches <= 1 || chosen.patches > 1) return chosen.costs;
+  IndexOptions two = options;
+  two.first_layer_patches = 1;
+  two.second_layer_patches = 2;
+  return measured(size, two).costs;
+}
+
+const Measured& ScanCosts::measured(std::size_t size, const IndexOptions& options) {
   const std::array<int, 4> key{static_cast<int>(size), options.first_layer_patches,
                                options.second_layer_patches, options.delta > 0.0 ? 1 : 0};
   const auto found = known_.find(key);

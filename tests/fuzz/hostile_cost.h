@@ -48,18 +48,28 @@ inline constexpr Costs most_of_a_scan{{
 /// Runs a function and measures it.
 Cost cost_of(const std::function<void()>& run);
 
+/// What a mesh took, and how many second-layer patches its index has.
+struct Measured {
+  Costs costs{};
+  Index patches = 0;
+};
+
 /// Costs of all steps on a scan that has at least as many vertices, and at most some more than twice as many,
 /// measured once per process.
 class ScanCosts {
  public:
   /// `measure`: runs all steps on a mesh.
-  explicit ScanCosts(std::function<Costs(const HostileMesh&, const IndexOptions&)> measure)
+  explicit ScanCosts(std::function<Measured(const HostileMesh&, const IndexOptions&)> measure)
       : measure_(std::move(measure)) {}
-  const Costs& of(std::size_t vertices, const IndexOptions& options);
+  /// `patches`: how many second-layer patches the mesh got. A scan, which is coarse where it is small, is one
+  /// patch longer than a flat mesh: that has no tables, and is asked for two where the mesh has several.
+  const Costs& of(std::size_t vertices, Index patches, const IndexOptions& options);
 
  private:
-  std::function<Costs(const HostileMesh&, const IndexOptions&)> measure_;
-  std::map<std::array<int, 4>, Costs> known_;
+  const Measured& measured(std::size_t size, const IndexOptions& options);
+
+  std::function<Measured(const HostileMesh&, const IndexOptions&)> measure_;
+  std::map<std::array<int, 4>, Measured> known_;
 };
 
 }  // namespace vorogeo::test

@@ -110,7 +110,7 @@ void require_refusals(HostileCase& hostile) {
   }
 }
 
-Costs examine(HostileCase& hostile, const Options& options, ScanCosts* scans) {
+Measured examine(HostileCase& hostile, const Options& options, ScanCosts* scans) {
   if (!hostile.make_mesh()) return {};
   check_exact(hostile);
   if (hostile.seed != scan_seed) {
@@ -123,7 +123,7 @@ Costs examine(HostileCase& hostile, const Options& options, ScanCosts* scans) {
   if (!options.index) return {};
   check_index(hostile);
   if (scans != nullptr && !hostile.exact[1].empty()) check_costs(hostile, *scans);
-  return hostile.costs;
+  return {hostile.costs, hostile.patches};
 }
 
 ScanCosts scan_costs(const Options& options, HostileTally& tally) {

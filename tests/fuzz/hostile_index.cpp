@@ -70,6 +70,7 @@ bool IndexCheck::build() {
         hostile_.attempt([&] { index_ = GeodesicIndex::build(hostile_.mesh, hostile_.options); }, refusable);
   });
   if (!built) ++hostile_.tally.refused;
+  if (built) hostile_.patches = index_->statistics().second_layer_patches;
   return built;
 }
 

@@ -41,6 +41,19 @@ TEST(VirtualSources, GoRoundTheEndsOfASlit) {
   EXPECT_LT(errors_of(runs, {{SurfacePoint::at_vertex(3)}}).mean, 0.003);
 }
 
+TEST(VirtualSources, PassAnEdgeOfNoLengthThatAloneLeadsOn) {
+  // Two faces, one on each side of an edge that is too short to have a direction: 1 to it, 2 behind.
+  test::Soup soup;
+  soup.positions = {{0.0, 0.0, 0.0}, {1e-15, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, -2.0, 0.0}};
+  soup.faces = {{0, 1, 2}, {1, 0, 3}};
+  VirtualSources runs(test::make_mesh(soup));
+  const ExactSource source{SurfacePoint::at_vertex(2)};
+  runs.run({&source, 1});
+  EXPECT_NEAR(runs.distance(0), 1.0, 1e-14);
+  EXPECT_NEAR(runs.distance(1), 1.0, 1e-14);
+  EXPECT_NEAR(runs.distance(3), 3.0, 1e-14);
+}
+
 TEST(VirtualSources, AreWithinThreeTenthsOfAPercentOnSmoothSurfaces) {
   VirtualSources sphere(test::make_mesh(test::icosphere(5)));
   EXPECT_LT(errors_of(sphere, {{SurfacePoint::at_vertex(7)}}).mean, 0.003);
