@@ -124,13 +124,21 @@ class Laws {
   void check_same(const std::string& law, const Soup& soup, const std::vector<Index>& place, double scale,
                   double more) {
     hostile_.ask("exact field of vertex " + std::to_string(hostile_.sources[0]) + " on another mesh");
-    hostile_.attempt([&] {
-      const auto mesh = std::make_shared<const Mesh>(soup.positions, soup.faces);
-      const auto field = exact_distance_field(mesh, std::array{place[hostile_.sources[0]]});
-      hostile_.require_same(
-          law, [&](Index v) { return hostile_.exact[0][v]; },
-          [&](Index v) { return field[place[v]] / scale; }, more);
-    });
+    hostile_.attempt(
+        [&] {
+          const auto mesh = std::make_shared<const Mesh>(soup.positions, soup.faces);
+          const auto field = exact_distance_field(mesh, std::array{place[hostile_.sources[0]]});
+          hostile_.require_same(
+              law, [&](Index v) { return hostile_.exact[0][v]; },
+              [&](Index v) { return field[place[v]] / scale; }, more);
+        },
+        may_leave_range(scale));
+  }
+
+  /// Whether lengths so many times as long, or half of that, may be too small or too great to be taken.
+  bool may_leave_range(double scale) const {
+    return !exact_lengths.allow(0.5 * scale * hostile_.mesh->mean_edge_length(),
+                                scale * hostile_.mesh->longest_edge_length());
   }
 
   /// Lengths determine needles less well than positions do, and those that lead to an outlier hardly: beside
@@ -141,16 +149,18 @@ class Laws {
     const double cost = random_.power(-3.0, 3.0);
     hostile_.ask("exact field of vertex " + std::to_string(hostile_.sources[0]) + " at the cost " +
                  exactly(cost));
-    hostile_.attempt([&] {
-      const std::vector<double> costs(soup.positions.size(), cost);
-      const auto mesh = std::make_shared<const Mesh>(soup.positions, soup.faces,
-                                                     lengths_by_cost(soup.positions, soup.faces, costs));
-      const auto field = exact_distance_field(mesh, std::array{hostile_.sources[0]});
-      if (hostile_.has_outlier()) return;
-      hostile_.require_same(
-          "a constant cost is not a scale", [&](Index v) { return hostile_.exact[0][v]; },
-          [&](Index v) { return field[v] / cost; }, 1e-5 * hostile_.mesh->longest_edge_length());
-    });
+    hostile_.attempt(
+        [&] {
+          const std::vector<double> costs(soup.positions.size(), cost);
+          const auto mesh = std::make_shared<const Mesh>(soup.positions, soup.faces,
+                                                         lengths_by_cost(soup.positions, soup.faces, costs));
+          const auto field = exact_distance_field(mesh, std::array{hostile_.sources[0]});
+          if (hostile_.has_outlier()) return;
+          hostile_.require_same(
+              "a constant cost is not a scale", [&](Index v) { return hostile_.exact[0][v]; },
+              [&](Index v) { return field[v] / cost; }, 1e-5 * hostile_.mesh->longest_edge_length());
+        },
+        may_leave_range(cost));
   }
 
   /// Shortest paths from a vertex do not cross: torn along one of them, all distances from its ends stay.
