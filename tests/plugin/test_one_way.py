@@ -6,7 +6,7 @@ import filters
 import numpy as np
 import pymeshlab
 import pytest
-from support import fails_and_changes_nothing, field, grid, length, mesh_set, select_vertices
+from support import fails_and_changes_nothing, field, grid, host_version, length, mesh_set, select_vertices
 
 SIZE, GRADE, SPEED = 12, 0.25, 2.0
 MIDDLE = 6 * (SIZE + 1) + 6
@@ -20,12 +20,19 @@ def slope() -> pymeshlab.MeshSet:
     return mesh_set(vertices, faces)
 
 
+def add_to_faces(mesh: pymeshlab.Mesh, vectors: np.ndarray, name: str) -> None:
+    """An attribute of points, as winds are."""
+    if host_version() == "2022.02":
+        pytest.skip("PyMeshLab 2022.2 corrupts its memory where it adds an attribute of points to faces")
+    mesh.add_face_custom_point_attribute(vectors, name)
+
+
 def windy(random: np.random.Generator) -> tuple[pymeshlab.MeshSet, np.ndarray]:
     """A plane with a wind of its faces, which is the same in all, and that wind."""
     vertices, faces = grid(SIZE, SIZE)
     wind = np.append(random.uniform(-1, 1, 2), 0.0)
     ms = mesh_set(vertices, faces)
-    ms.current_mesh().add_face_custom_point_attribute(np.tile(wind, (len(faces), 1)), "wind")
+    add_to_faces(ms.current_mesh(), np.tile(wind, (len(faces), 1)), "wind")
     return ms, wind
 
 
@@ -191,7 +198,7 @@ def test_a_new_wind_is_a_new_metric(random):
     mesh = ms.current_mesh()
     winds = random.uniform(-1, 1, (2, 3)) * [1, 1, 0]
     for name, wind in zip(("wind", "other"), winds, strict=True):
-        mesh.add_face_custom_point_attribute(np.tile(wind, (len(faces), 1)), name)
+        add_to_faces(mesh, np.tile(wind, (len(faces), 1)), name)
         ms.apply_filter(filters.EXACT_FROM_POINT, vertex_index=MIDDLE, wind_attribute=name, **WIND)
         np.testing.assert_allclose(field(ms), from_vertices([MIDDLE], wind, False)[0], rtol=1e-5, atol=1e-9)
 
@@ -218,7 +225,7 @@ def test_bad_costs_and_winds(parameters, message, random):
     strong, unknown = np.zeros((2, count, 3))
     strong[7], unknown[5, 1] = [0, 3, 0], np.nan
     for name, wind in (("strong", strong), ("unknown", unknown)):
-        ms.current_mesh().add_face_custom_point_attribute(wind, name)
+        add_to_faces(ms.current_mesh(), wind, name)
     with fails_and_changes_nothing(ms, message):
         ms.apply_filter(filters.EXACT_FROM_POINT, vertex_index=0, **parameters)
 
