@@ -625,13 +625,12 @@ inline std::size_t ExactSolver::State::continued_by(Index edge, std::span<const 
   const Window& next = windows[i];
   const double length = mesh.edge_length(edge);
   const double lit = sector_tolerance * length;
-  std::size_t beam = i;
-  do {
-    if (beam == 0) return i;
-    const Window& window = windows[--beam];
-    if (is_same_beam(edge, window, next)) break;
-    if (!(window.end - window.begin < lit)) return i;
-  } while (true);
+  if (i == 0) return i;
+  std::size_t beam = i - 1;
+  while (!is_same_beam(edge, windows[beam], next)) {
+    if (beam == 0 || !(windows[beam].end - windows[beam].begin < lit)) return i;
+    --beam;
+  }
   const double gap = least_width * geometry->scale_at(edge, next.begin, next.distance(next.begin), length);
   double end = windows[beam].end;
   for (std::size_t between = beam + 1; between < i; ++between) {

@@ -69,8 +69,11 @@ bool IndexCheck::build() {
     built =
         hostile_.attempt([&] { index_ = GeodesicIndex::build(hostile_.mesh, hostile_.options); }, refusable);
   });
-  if (!built) ++hostile_.tally.refused;
-  if (built) hostile_.patches = index_->statistics().second_layer_patches;
+  if (built) {
+    hostile_.patches = index_->statistics().second_layer_patches;
+  } else {
+    ++hostile_.tally.refused;
+  }
   return built;
 }
 
