@@ -1,4 +1,4 @@
-# The library that others install: target vorogeo::vorogeo, its two headers, its package files. Needs nothing beside the core.
+# The library that others install: target vorogeo::vorogeo, its headers, its package files. Needs nothing beside the core.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 find_package(Threads REQUIRED)

@@ -440,17 +440,14 @@ std::vector<double> distance_fields(const Surface& surface, const PointList& sou
 
 SparseDistances pairs_within(const Surface& surface, const PointList& points, double radius,
                              const TaskOptions& options) {
-  return ask(surface, options, [&](const Asked& at) {
-    auto found = pairs_within(at.surface, at.in(points), radius, 0, at.options);
-    return SparseDistances{std::move(found.row_begin), std::move(found.column), std::move(found.distance)};
-  });
+  return ask(surface, options,
+             [&](const Asked& at) { return pairs_within(at.surface, at.in(points), radius, 0, at.options); });
 }
 
 NearestOfSet nearest(const Surface& surface, const PointList& set, const PointList& queries,
                      std::size_t count, const TaskOptions& options) {
   return ask(surface, options, [&](const Asked& at) {
-    auto found = nearest_of_set(at.surface, at.in(set), at.in(queries), count, at.options);
-    return NearestOfSet{std::move(found.position), std::move(found.distance)};
+    return nearest_of_set(at.surface, at.in(set), at.in(queries), count, at.options);
   });
 }
 
@@ -504,9 +501,7 @@ Profile profile(const Surface& surface, const Path& path, const Point& up) {
   return translated([&] {
     const Mesh& mesh = *surface.state().mesh;
     const auto locate = [&]() -> const SurfaceLocator& { return surface.state().located(); };
-    auto found = inner::profile(mesh, locate, points_in(mesh, path.surface_points), up);
-    return Profile{std::move(found.along), std::move(found.height), std::move(found.angle),
-                   std::move(found.curvature), std::move(found.thickness)};
+    return inner::profile(mesh, locate, points_in(mesh, path.surface_points), up);
   });
 }
 
@@ -557,17 +552,15 @@ RelaxedPoints relax(const Surface& surface, const PointList& points, int rounds,
 
 Disk disk(const Surface& surface, const PointList& sources, double radius, const TaskOptions& options) {
   return ask(surface, options, [&](const Asked& at) {
-    auto found = geodesic_disk(at.surface, at.in(sources), radius, at.options);
+    Disk found = geodesic_disk(at.surface, at.in(sources), radius, at.options);
     for (int& face : found.faces) face = at.mesh.input_face(face);
-    return Disk{std::move(found.vertices), std::move(found.distance), std::move(found.faces)};
+    return found;
   });
 }
 
 Band band(const Surface& surface, const PointList& sources, double width, const TaskOptions& options) {
-  return ask(surface, options, [&](const Asked& at) {
-    const auto found = inner::band(at.surface, at.in(sources), width, at.options);
-    return Band{found.area, found.border_length};
-  });
+  return ask(surface, options,
+             [&](const Asked& at) { return inner::band(at.surface, at.in(sources), width, at.options); });
 }
 
 namespace {
@@ -636,40 +629,26 @@ std::vector<RegionArea> region_areas(const Surface& surface, const std::vector<i
   return ask(surface, options, [&](const Asked& at) {
     require_count(label.size(), static_cast<std::size_t>(surface.face_count()), "label", "faces");
     const int last = label.empty() ? -1 : std::ranges::max(label);
-    std::vector<RegionArea> out;
-    for (const auto& [area, border_length, volume] :
-         inner::region_areas(at.mesh, label, static_cast<std::size_t>(std::max(last, -1) + 1), at.options)) {
-      out.push_back({area, border_length, volume});
-    }
-    return out;
+    return inner::region_areas(at.mesh, label, static_cast<std::size_t>(std::max(last, -1) + 1), at.options);
   });
 }
 
 RegionArea enclosed_area(const Surface& surface, const PointList& curve, const TaskOptions& options) {
-  return ask(surface, options, [&](const Asked& at) {
-    const auto found = inner::enclosed_area(at.mesh, at.in(curve), at.options);
-    return RegionArea{found.area, found.border_length, found.volume};
-  });
+  return ask(surface, options,
+             [&](const Asked& at) { return inner::enclosed_area(at.mesh, at.in(curve), at.options); });
 }
 
 SetDistances set_distances(const Surface& surface, const PointList& first, const PointList& second,
                            const TaskOptions& options) {
   return ask(surface, options, [&](const Asked& at) {
-    auto found = inner::set_distances(at.surface, at.in(first), at.in(second), at.options);
-    return SetDistances{std::move(found.to_second), std::move(found.to_first), found.nearest, found.mean,
-                        found.hausdorff};
+    return inner::set_distances(at.surface, at.in(first), at.in(second), at.options);
   });
 }
 
 std::vector<Eccentricity> eccentricities(const Surface& surface, const PointList& points,
                                          const TaskOptions& options) {
-  return ask(surface, options, [&](const Asked& at) {
-    std::vector<Eccentricity> out;
-    for (const auto& one : eccentricities(at.surface, at.in(points), at.options)) {
-      out.push_back({one.distance, one.farthest});
-    }
-    return out;
-  });
+  return ask(surface, options,
+             [&](const Asked& at) { return eccentricities(at.surface, at.in(points), at.options); });
 }
 
 Extent extent(const Surface& surface, int max_fields, const TaskOptions& options) {

@@ -33,9 +33,7 @@ std::vector<double> signed_distance(const Surface& surface, const std::vector<bo
 DistanceGradient distance_gradient(const Surface& surface, const PointList& from, const PointList& to,
                                    const TaskOptions& options) {
   return ask(surface, options, [&](const Asked& at) {
-    auto found = inner::distance_gradient(at.surface, {at.in(from), at.in(to)}, at.options);
-    return DistanceGradient{std::move(found.distance), std::move(found.pair), std::move(found.vertex),
-                            std::move(found.gradient)};
+    return inner::distance_gradient(at.surface, {at.in(from), at.in(to)}, at.options);
   });
 }
 

@@ -25,6 +25,8 @@
 #include <utility>
 #include <vector>
 
+#include "vorogeo/results.h"
+
 #if defined(__GNUC__)
 #define VOROGEO_API __attribute__((visibility("default")))
 #else
@@ -386,22 +388,11 @@ VOROGEO_API std::vector<double> distance_matrix(const Surface& surface, const Po
 VOROGEO_API std::vector<double> distance_fields(const Surface& surface, const PointList& sources,
                                                 double limit = unreachable, const TaskOptions& options = {});
 
-/// Row i holds the entries row_begin[i] to row_begin[i + 1].
-struct SparseDistances {
-  std::vector<std::int64_t> row_begin;
-  std::vector<int> column;  ///< ascending within a row
-  std::vector<double> distance;
-};
 /// All pairs of points at most `radius` apart, from the row to the column. \throw NotEnoughMemory.
 VOROGEO_API SparseDistances pairs_within(const Surface& surface, const PointList& points, double radius,
                                          const TaskOptions& options = {});
 
-/// For each query `count` positions in the set and distances from there, nearest first; -1 where fewer can be
-/// reached.
-struct NearestOfSet {
-  std::vector<int> position;
-  std::vector<double> distance;
-};
+/// The `count` nearest of a set for each query.
 VOROGEO_API NearestOfSet nearest(const Surface& surface, const PointList& set, const PointList& queries,
                                  std::size_t count, const TaskOptions& options = {});
 
@@ -456,16 +447,7 @@ VOROGEO_API Girth girth(const Surface& surface, const SurfacePoint& point, const
                         const TaskOptions& options = {});
 VOROGEO_API Girth girth(const Surface& surface, const SurfacePoint& point, const TaskOptions& options = {});
 
-/// By point of a path.
-struct Profile {
-  std::vector<double> along;   ///< length of the path up to the point
-  std::vector<double> height;  ///< of the point in the direction `up`
-  std::vector<double> angle;   ///< of the surface's normal with `up`, in radians
-  /// Of the surface in the direction of the path: 1/r around a sphere with normals outwards. From normals
-  /// interpolated between those of the vertices, over the steps beside the point.
-  std::vector<double> curvature;
-  std::vector<double> thickness;  ///< from the point against the normal to the next face; `unreachable`: none
-};
+/// What lies along a path.
 VOROGEO_API Profile profile(const Surface& surface, const Path& path, const Point& up = {0.0, 0.0, 1.0});
 
 /// Polylines on a surface: each segment joins two of the points.
@@ -523,22 +505,13 @@ struct RelaxedPoints {
 VOROGEO_API RelaxedPoints relax(const Surface& surface, const PointList& points, int rounds = 10,
                                 const TaskOptions& options = {});
 
-/// What lies within a radius of the nearest of some sources.
-struct Disk {
-  std::vector<int> vertices;
-  std::vector<double> distance;  ///< of each
-  std::vector<int> faces;        ///< with all corners inside
-};
+/// The vertices and faces within a radius of the nearest of some sources.
 VOROGEO_API Disk disk(const Surface& surface, const PointList& sources, double radius,
                       const TaskOptions& options = {});
 
-/// What lies within a distance of the nearest of some sources, faces at its border in part.
-struct Band {
-  double area = 0.0;
-  double border_length = 0.0;  ///< without borders of the mesh
-};
-/// Borders are circular arcs in parts of faces, at most width / 16 long: exact for points in a plane but for
-/// the few arcs that leave such a part and come back. Sources may be points of along_edges().
+/// The area within a distance. Borders are circular arcs in parts of faces, at most width / 16 long: exact
+/// for points in a plane but for the few arcs that leave such a part and come back. Sources may be points of
+/// along_edges().
 VOROGEO_API Band band(const Surface& surface, const PointList& sources, double width,
                       const TaskOptions& options = {});
 /// The area within a radius of a point.
@@ -569,12 +542,6 @@ VOROGEO_API CutMesh cut_at_levels(const Surface& surface, const std::vector<doub
 VOROGEO_API CutMesh cut_along(const Surface& surface, const std::vector<std::vector<SurfacePoint>>& lines,
                               const TaskOptions& options = {});
 
-/// What a region measures.
-struct RegionArea {
-  double area = 0.0;
-  double border_length = 0.0;  ///< where faces are inside on one side only; borders of the surface count
-  double volume = 0.0;         ///< that it encloses in space, if it has no border; otherwise NaN
-};
 /// Of the faces with each label from 0 on; others are of no region.
 VOROGEO_API std::vector<RegionArea> region_areas(const Surface& surface,
                                                  const std::vector<int>& label_of_face,
@@ -608,21 +575,10 @@ VOROGEO_API Polygon convex_hull(const Surface& surface, const PointList& points,
                                 const TaskOptions& options = {});
 
 /// How far two sets of points are from each other.
-struct SetDistances {
-  std::vector<double> to_second;  ///< by point of the first set, from the nearest of the second
-  std::vector<double> to_first;   ///< the other way
-  double nearest = 0.0;           ///< the least of them
-  double mean = 0.0;              ///< of the means of both
-  double hausdorff = 0.0;         ///< the greatest of them
-};
 VOROGEO_API SetDistances set_distances(const Surface& surface, const PointList& first,
                                        const PointList& second, const TaskOptions& options = {});
 
-/// The vertex farthest from a point, within its component, and its distance.
-struct Eccentricity {
-  double distance = 0.0;
-  int farthest = -1;
-};
+/// Of each point the vertex farthest from it.
 VOROGEO_API std::vector<Eccentricity> eccentricities(const Surface& surface, const PointList& points,
                                                      const TaskOptions& options = {});
 
@@ -768,13 +724,6 @@ VOROGEO_API std::vector<double> signed_distance(const Surface& surface,
 VOROGEO_API std::vector<double> signed_distance(const Surface& surface, const std::vector<bool>& in_region,
                                                 const SignedDistanceOptions& options = {});
 
-/// Derivatives of the distances of pairs by the positions of vertices. Those that are not listed are 0.
-struct DistanceGradient {
-  std::vector<double> distance;  ///< by pair
-  std::vector<int> pair;         ///< by entry, ascending
-  std::vector<int> vertex;       ///< by entry
-  std::vector<Point> gradient;   ///< by entry
-};
 /// Of exact distances between points that keep their weights in their faces. Where several paths are
 /// shortest, of one of them; nothing where both points are one, or no path leads. \throw InvalidInput with a
 /// metric.
@@ -805,13 +754,6 @@ struct TextureOptions {
   double rotation = 0.0;  ///< of the picture about the point, in radians, as angles grow in the frame there
   double scale = 1.0;     ///< of the picture; at 1 its side is twice the radius
   ProgressFunction progress = {};
-};
-struct TextureCoordinates {
-  /// By vertex; the point has (0.5, 0.5). NaN beyond the radius.
-  std::vector<std::array<double, 2>> coordinates;
-  /// By face, the greatest and the least factor by which the picture is stretched beyond its scale; NaN where
-  /// a corner has no coordinates.
-  std::vector<std::array<double, 2>> stretch;
 };
 /// A picture laid around a point: lines through its middle become shortest paths of their true length. \throw
 /// InvalidInput as log_map(), and for a radius or a scale that is not above 0.

@@ -6,12 +6,6 @@
 
 namespace vorogeo {
 
-/// What lies within a distance of the nearest of some sources.
-struct Band {
-  double area = 0.0;           ///< in the square of the mesh's unit; that over a gap does not count
-  double border_length = 0.0;  ///< of the line at the distance, without borders of the mesh
-};
-
 /// The part of each face that is within the distance `width`.
 ///
 /// Faces that the border may cross are bisected until their sides are at most width / 16. In each part, the

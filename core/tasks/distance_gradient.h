@@ -1,20 +1,9 @@
 // How distances change with the positions of the vertices.
 #pragma once
 
-#include <cstddef>
-#include <vector>
-
 #include "tasks/workers.h"
 
 namespace vorogeo {
-
-/// Derivatives of the distances of pairs of points. Those that are not listed are 0.
-struct DistanceGradient {
-  std::vector<double> distance;  ///< by pair; `unreachable` where no path leads
-  std::vector<Index> pair;       ///< by entry, ascending
-  std::vector<Index> vertex;     ///< by entry, ascending within a pair
-  std::vector<Point> gradient;   ///< by entry: of the distance, by the position of the vertex
-};
 
 /// Of exact distances, whose points keep their weights in their faces. A shortest path stays a path if the
 /// points where it crosses edges keep their places there, and its length changes as the distance does to

@@ -128,8 +128,7 @@ Extent extent_of_component(Surface& surface, Index start, Index max_fields, cons
   return result;
 }
 
-GeodesicDisk geodesic_disk(Surface& surface, const PointList& given, double radius,
-                           const TaskOptions& options) {
+Disk geodesic_disk(Surface& surface, const PointList& given, double radius, const TaskOptions& options) {
   const Mesh& mesh = *surface.mesh();
   if (given.empty()) throw InvalidInput("There is no point around which a disk could lie; name one.");
   const PointList sources = points_on(mesh, given, "Point");
@@ -138,7 +137,7 @@ GeodesicDisk geodesic_disk(Surface& surface, const PointList& given, double radi
   Workers workers(surface, options, 1.0, std::min(1.0, reach));
   const Watch watch(workers.progress(), "Geodesic disk");
   const auto field = workers.field_on_all_threads(sources, radius);
-  GeodesicDisk disk;
+  Disk disk;
   for (Index v = 0; v < mesh.given_vertex_count(); ++v) {
     if (field[v] == unreachable) continue;
     disk.vertices.push_back(v);

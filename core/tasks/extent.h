@@ -28,12 +28,6 @@ FieldDifference difference_of(const std::vector<double>& values, const std::vect
 
 // ---- How far a surface reaches: eccentricities, bounds of diameter and radius, the centre, and disks
 
-/// The greatest finite distance of a vertex from a point, and that vertex (of equally far ones, the first).
-struct Eccentricity {
-  double distance = 0.0;
-  Index farthest = no_index;
-};
-
 /// For each of the points, within its component. \throw InvalidInput for a point that is not on the mesh,
 /// Cancelled.
 /// Complexity: a field for each.
@@ -62,15 +56,8 @@ struct Extent {
 /// out of range or fewer than 2 fields, Cancelled.
 Extent extent_of_component(Surface& surface, Index start, Index max_fields, const TaskOptions& options = {});
 
-/// What lies within a radius of the nearest of some sources.
-struct GeodesicDisk {
-  std::vector<Index> vertices;   ///< ascending
-  std::vector<double> distance;  ///< of each
-  std::vector<Index> faces;      ///< with all three corners inside, ascending
-};
-
 /// \throw InvalidInput for no source, one that is not on the mesh, or a radius that is negative or NaN.
-GeodesicDisk geodesic_disk(Surface& surface, const PointList& sources, double radius,
-                           const TaskOptions& options = {});
+Disk geodesic_disk(Surface& surface, const PointList& sources, double radius,
+                   const TaskOptions& options = {});
 
 }  // namespace vorogeo

@@ -10,13 +10,6 @@
 
 namespace vorogeo {
 
-/// A sparse matrix in compressed rows: row i holds the entries row_begin[i] to row_begin[i + 1].
-struct SparseDistances {
-  std::vector<std::int64_t> row_begin;  ///< shape (rows + 1)
-  std::vector<Index> column;            ///< ascending within a row
-  std::vector<double> distance;
-};
-
 /// Bytes that `entries` entries take while the matrix is assembled.
 double sparse_bytes(double entries);
 
@@ -32,14 +25,6 @@ SparseDistances pairs_within(Surface& surface, const PointList& points, double r
 /// For each of `points` (rows) all of `others` (columns) at most `radius` away.
 SparseDistances pairs_within(Surface& surface, const PointList& points, const PointList& others,
                              double radius, std::int64_t max_bytes = 0, const TaskOptions& options = {});
-
-/// The nearest of a set for each query: positions in the set and distances from there, nearest first, `count`
-/// for each query. Where fewer can be reached, the rest is no_index and `unreachable`. Of equal distances,
-/// the smaller position comes first.
-struct NearestOfSet {
-  std::vector<Index> position;
-  std::vector<double> distance;
-};
 
 /// \throw InvalidInput for a point that is not on the mesh, Cancelled. Complexity: a field for each query or
 /// for each entry of the set, whichever is fewer.

@@ -39,7 +39,7 @@ GeodesicPolygon geodesic_polygon(Surface& surface, const PointList& points, cons
 /// angle above pi, as a plane's convex hull. Gift wrapping (Jarvis 1973): from each corner to the next by the
 /// path that has the others to its left. As geodesic_polygon(), where any two of the points have one shortest
 /// path in a part like a disk; it is then the least part that has with two of its points the path between
-/// them. 	hrow InvalidInput for fewer than three different points, points on one line or on two
+/// them. \throw InvalidInput for fewer than three different points, points on one line or on two
 /// components, a metric that jumps, and where that fails: paths that cross or have no inside, an angle above
 /// pi, a point outside (names it), a hole or a handle inside; Cancelled. Complexity: an exact field as far as
 /// the points for each corner, and a polygon.

@@ -9,14 +9,6 @@
 
 namespace vorogeo {
 
-struct RegionArea {
-  double area = 0.0;           ///< in the metric of the mesh; that over a gap does not count
-  double border_length = 0.0;  ///< of edges with faces inside on one side only, the mesh's border among them
-  /// In space, what it encloses if each of its edges has two of its faces; otherwise NaN. Cavities, whose
-  /// faces are turned inwards, do not count.
-  double volume = std::numeric_limits<double>::quiet_NaN();
-};
-
 /// By region 0 to `regions` - 1, of faces with that label. `label`: by face as given; others than these
 /// numbers are of no region. \throw NotEnoughMemory; Cancelled. Complexity: O(faces + regions).
 std::vector<RegionArea> region_areas(const Mesh& mesh, std::span<const Index> label, std::size_t regions,

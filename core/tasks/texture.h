@@ -16,15 +16,6 @@ struct Placement {
   double scale = 1.0;     ///< of the picture; at 1 its side is twice the radius
 };
 
-struct TextureCoordinates {
-  /// By vertex; the point has (0.5, 0.5). NaN beyond the radius.
-  std::vector<Tangent> coordinates;
-  /// By face of the mesh, the greatest and the least factor by which the picture is stretched there, beyond
-  /// its scale: 1 and 1 where the surface is flat. NaN where a corner has no coordinates or the picture no
-  /// area.
-  std::vector<std::array<double, 2>> stretch;
-};
-
 /// Of faces without coordinates.
 inline constexpr std::array<double, 2> no_stretch{std::numeric_limits<double>::quiet_NaN(),
                                                   std::numeric_limits<double>::quiet_NaN()};

@@ -12,6 +12,7 @@
 #include "support/parallel.h"
 #include "support/progress.h"
 #include "support/types.h"
+#include "vorogeo/results.h"
 
 namespace vorogeo {
 

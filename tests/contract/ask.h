@@ -172,7 +172,7 @@ class Ask {
   Extent extent(Index start, Index fields, By by) const {
     return extent_of_component(*surface_, start, fields, task(by));
   }
-  GeodesicDisk disk(const std::vector<SurfacePoint>& sources, double radius, By by) const {
+  Disk disk(const std::vector<SurfacePoint>& sources, double radius, By by) const {
     return geodesic_disk(*surface_, into(sources), radius, task(by));
   }
   Band band(const std::vector<SurfacePoint>& sources, double width, By by) const {

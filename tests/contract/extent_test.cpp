@@ -76,7 +76,7 @@ TEST(ExtentContract, ADiskIsWhatLiesWithinTheRadius) {
   ask_each(cases_in_turn(), [](const Case& one, By by) {
     const SurfacePoint centre = one.points()[5];
     const double radius = 0.8 * one.scale;
-    const GeodesicDisk disk = one.ask.disk({centre}, radius, by);
+    const Disk disk = one.ask.disk({centre}, radius, by);
     const std::set<Index> inside(disk.vertices.begin(), disk.vertices.end());
     ASSERT_TRUE(std::ranges::is_sorted(disk.vertices));
     for (Index v = 0; v < one.ask.vertex_count(); ++v) {
@@ -97,10 +97,10 @@ TEST(ExtentContract, ADiskOfSeveralSourcesIsTheUnionOfTheirDisks) {
     const auto points = one.points();
     std::set<Index> expected;
     for (const SurfacePoint& centre : {points[1], points[5]}) {
-      const GeodesicDisk disk = one.ask.disk({centre}, 0.8, By::exact);
+      const Disk disk = one.ask.disk({centre}, 0.8, By::exact);
       expected.insert(disk.vertices.begin(), disk.vertices.end());
     }
-    const GeodesicDisk both = one.ask.disk({points[1], points[5]}, 0.8, By::exact);
+    const Disk both = one.ask.disk({points[1], points[5]}, 0.8, By::exact);
     EXPECT_EQ(std::set<Index>(both.vertices.begin(), both.vertices.end()), expected) << one.name;
   }
 }
@@ -109,7 +109,7 @@ TEST(ExtentContract, ADiskHoldsTheFacesAllOfWhoseCornersLieInside) {
   const test::Soup soup = test::hills(20, 0.2);
   const Ask ask(soup, {.patches = 3, .patches_in_each = 3});
   for (const By by : {By::exact, By::index}) {
-    const GeodesicDisk disk = ask.disk(vertices({100}), 0.3, by);
+    const Disk disk = ask.disk(vertices({100}), 0.3, by);
     const std::set<Index> inside(disk.vertices.begin(), disk.vertices.end());
     std::vector<Index> faces;
     for (std::size_t f = 0; f < soup.faces.size(); ++f) {
