@@ -34,9 +34,8 @@ class Directions(Tasks):
             Of each point three rows. The normal of a vertex is the mean of those of its faces, weighted by their
             angles; its x axis is the sum of all edges, projected along the normal and each turned back by its angle.
         """
-        (axes,) = self._ask(self._shared.core.tangent_frames, self._rows("points", points), method="exact")
-        frames: NDArray[np.float64] = axes.reshape(-1, 3, 3)
-        return frames
+        rows = self._rows("points", points)
+        return self._array(self._shared.core.tangent_frames, rows, method="exact").reshape(-1, 3, 3)
 
     def log_map(
         self,
@@ -110,9 +109,7 @@ class Directions(Tasks):
         """
         ends = None if points is None else self._rows("points", points)
         limit, rows = check.max_distance(max_distance), self._rows("sources", sources, 1)
-        (vectors,) = self._ask(self._shared.core.gradient, rows, ends, limit, method="exact", progress=progress)
-        found: NDArray[np.float64] = vectors
-        return found
+        return self._array(self._shared.core.gradient, rows, ends, limit, method="exact", progress=progress)
 
     def transport(self, path: Points | GeodesicPath, vectors: ArrayLike) -> NDArray[np.float64]:
         """Vectors at the first point of a path, carried along it in parallel to its last point.
@@ -137,9 +134,7 @@ class Directions(Tasks):
         O(points). To all vertices, `transport_from`; to other points, take the paths of `path(p, points)`.
         """
         rows, along = self._curve_rows(path), check.positions("vectors", vectors, 2)
-        (carried,) = self._ask(self._shared.core.transport, rows, along, method="exact")
-        found: NDArray[np.float64] = carried
-        return found
+        return self._array(self._shared.core.transport, rows, along, method="exact")
 
     def transport_from(
         self,
@@ -172,11 +167,7 @@ class Directions(Tasks):
         along = check.positions("vector", vector, 2)
         if len(along) != 1:
             raise InvalidInput(f"vector: has {len(along)} vectors; give one.")
-        (carried,) = self._ask(
-            self._shared.core.transport_from, source, along, limit, method="exact", progress=progress
-        )
-        found: NDArray[np.float64] = carried
-        return found
+        return self._array(self._shared.core.transport_from, source, along, limit, method="exact", progress=progress)
 
     def signed_distance(
         self,
@@ -211,12 +202,9 @@ class Directions(Tasks):
                     f"curves: has bools of shape {curves.shape}; give one for each of the {len(self.faces)} faces."
                 )
             flags = np.ascontiguousarray(curves, dtype=np.uint8)
-            (distances,) = self._ask(core.region_distance, flags, limit, method="exact", progress=progress)
-        else:
-            lines = self._line_rows("curves", cast(Any, curves))
-            (distances,) = self._ask(core.signed_distance, *lines, limit, method="exact", progress=progress)
-        found: NDArray[np.float64] = distances
-        return found
+            return self._array(core.region_distance, flags, limit, method="exact", progress=progress)
+        lines = self._line_rows("curves", cast(Any, curves))
+        return self._array(core.signed_distance, *lines, limit, method="exact", progress=progress)
 
     def distance_gradient(
         self,

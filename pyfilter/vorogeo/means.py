@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -47,7 +49,7 @@ class Means(Tasks):
         Newton's method on exact log maps: some ten exact fields, as far as the points are, besides those of `medoid`.
         Not where a metric jumps at edges, as for `log_map`.
         """
-        return self._centre(points, weights, _MEAN, progress)
+        return self._centre(points, weights, _MEAN, progress=progress)
 
     def geometric_median(
         self,
@@ -56,18 +58,13 @@ class Means(Tasks):
         progress: ProgressFunction | bool | None = None,
     ) -> SurfacePoints:
         """The point with the least sum of weighted distances from some points; otherwise as `frechet_mean`."""
-        return self._centre(points, weights, _MEDIAN, progress)
+        return self._centre(points, weights, _MEDIAN, progress=progress)
 
-    def _centre(
-        self,
-        points: Points,
-        weights: ArrayLike | None,
-        power: int,
-        progress: ProgressFunction | bool | None,
-    ) -> SurfacePoints:
+    def _centre(self, points: Points, weights: ArrayLike | None, power: int, **how: Any) -> SurfacePoints:
         rows = self._rows("points", points, 1)
-        given = _weights(weights, len(rows[0]))
-        (found,) = self._ask(self._shared.core.centre, rows, given, power, method="exact", progress=progress)
+        (found,) = self._ask(
+            self._shared.core.centre, rows, _weights(weights, len(rows[0])), power, method="exact", **how
+        )
         return surface_points(found)
 
     def medoid(
@@ -131,7 +128,7 @@ class Means(Tasks):
         all vertices one or two from all centres at once, for which `method` may also be "quick". Means of points take
         exact fields besides, bounded by their cluster.
         """
-        return self._clusters(count, points, weights, _MEAN, seed, rounds, method, progress)
+        return self._clusters(count, points, weights, _MEAN, seed, rounds, method=method, progress=progress)
 
     def k_medoids(
         self,
@@ -144,7 +141,7 @@ class Means(Tasks):
         progress: ProgressFunction | bool | None = None,
     ) -> Clusters:
         """Clusters around points of the list, with a low sum of weighted distances; otherwise as `k_means`."""
-        return self._clusters(count, points, weights, _MEDIAN, seed, rounds, method, progress)
+        return self._clusters(count, points, weights, _MEDIAN, seed, rounds, method=method, progress=progress)
 
     def _clusters(
         self,
@@ -154,8 +151,7 @@ class Means(Tasks):
         power: int,
         seed: int,
         rounds: int,
-        method: str | None,
-        progress: ProgressFunction | bool | None,
+        **how: Any,
     ) -> Clusters:
         rows = None if points is None else self._rows("points", points, 1)
         given = _weights(weights, len(self.vertices) if rows is None else len(rows[0]))
@@ -163,9 +159,7 @@ class Means(Tasks):
         limit, begin = check.integer("rounds", rounds, 0, 2**31 - 1), check.integer("seed", seed, 0, 2**64 - 1)
         arguments = number, rows, given, power, limit, begin
         choices = METHODS if rows is None else METHODS[:3]
-        centres, labels, energy = self._ask(
-            self._shared.core.clusters, *arguments, method=method, progress=progress, choices=choices
-        )
+        centres, labels, energy = self._ask(self._shared.core.clusters, *arguments, choices=choices, **how)
         return Clusters(labels, surface_points(centres), energy)
 
 

@@ -286,10 +286,7 @@ class Measuring(Tasks):
         to: bool = False,
     ) -> float:
         """The area within a radius of the nearest source, as `band` finds it."""
-        reach = check.length("radius", radius)
-        rows, _ = self._source_rows(sources, spacing=reach / _POINTS_IN_WIDTH)
-        found: float = self._ask(self._core(to).band, rows, reach, method=method, progress=progress)[0]
-        return found
+        return self.band(sources, check.length("radius", radius), method, progress, to).area
 
     def area(
         self,
@@ -390,7 +387,7 @@ class Measuring(Tasks):
         ----------
         points : k points, k >= 3
         """
-        return self._polygon(self._shared.core.polygon, points, method, progress)
+        return self._polygon(self._shared.core.polygon, points, method=method, progress=progress)
 
     def convex_hull(
         self, points: Points, method: str | None = None, progress: ProgressFunction | bool | None = None
@@ -414,15 +411,11 @@ class Measuring(Tasks):
         Gift wrapping: from each corner to the next by the path that has the others on one side. An exact field as far
         as the points for each corner, then as `polygon`. With values of faces, where paths refract, it is refused.
         """
-        return self._polygon(self._shared.core.convex_hull, points, method, progress)
+        return self._polygon(self._shared.core.convex_hull, points, method=method, progress=progress)
 
-    def _polygon(
-        self, question: Any, points: Points, method: str | None, progress: ProgressFunction | bool | None
-    ) -> GeodesicPolygon:
+    def _polygon(self, question: Any, points: Points, **how: Any) -> GeodesicPolygon:
         rows = self._rows("points", points)
-        area, perimeter, corners, angles, curvature, rest, vertices, faces, *legs = self._ask(
-            question, rows, method=method, progress=progress
-        )
+        area, perimeter, corners, angles, curvature, rest, vertices, faces, *legs = self._ask(question, rows, **how)
         return GeodesicPolygon(area, perimeter, corners, angles, curvature, rest, vertices, faces, paths_of(legs))
 
     def _cut_mesh(self, question: Any, *arguments: Any, progress: ProgressFunction | bool | None) -> CutMesh:

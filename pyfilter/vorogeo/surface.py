@@ -234,7 +234,7 @@ class Surface(Measuring, Means, Directions):
                 self.last = Answered("index", seconds, 0.0, "")
                 return distance
         ends = point_lists.pairs(("source", "target"), source, target, count)
-        (found,) = self._ask(core.distances, *ends, method=method, progress=progress)
+        found = self._array(core.distances, *ends, method=method, progress=progress)
         return float(found[0]) if point_lists.is_single(source) and point_lists.is_single(target) else found
 
     def distances(
@@ -248,9 +248,8 @@ class Surface(Measuring, Means, Directions):
         """Distances of k pairs of points, possibly none, on all threads: the values of `distance`, of shape (k,)."""
         entry = check.real_type(dtype)
         ends = point_lists.pairs(("sources", "targets"), sources, targets, len(self.vertices))
-        (found,) = self._ask(self._shared.core.distances, *ends, method=method, progress=progress)
-        distances: NDArray[Any] = found.astype(entry, copy=False)
-        return distances
+        found = self._array(self._shared.core.distances, *ends, method=method, progress=progress)
+        return found.astype(entry, copy=False)
 
     def path(
         self,

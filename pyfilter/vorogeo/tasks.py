@@ -119,6 +119,12 @@ class Tasks:
         self.last = Answered(*answered)
         return found
 
+    def _array(self, question: Callable[..., Any], *arguments: Any, **how: Any) -> NDArray[Any]:
+        """The same for a question whose answer is one array."""
+        found: NDArray[Any]
+        (found,) = self._ask(question, *arguments, **how)
+        return found
+
     @property
     def vertices(self) -> NDArray[np.float64]:
         """Positions of the mesh, of shape (n, 3), read-only; NaN if it was given none."""
@@ -552,9 +558,7 @@ class Tasks:
         if not 0 < reach < np.inf:
             raise InvalidInput(f"radius: {reach} is out of range; give a finite length above 0.")
         seed = check.integer("seed", seed, 0, 2**64 - 1)
-        (samples,) = self._ask(self._shared.core.sample_poisson_disk, reach, seed, method=method, progress=progress)
-        found: NDArray[np.int32] = samples
-        return found
+        return self._array(self._shared.core.sample_poisson_disk, reach, seed, method=method, progress=progress)
 
     def disk(self, sources: Sources, radius: float, method: str | None = None, to: bool = False) -> Disk:
         """Vertices and faces within a radius of the nearest source.
