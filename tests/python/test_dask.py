@@ -171,6 +171,10 @@ def test_the_command_line_uses_the_scheduler_for_one_matrix_and_for_many_meshes(
     pair = ["distance", "shapes/m.off", "--from", "source.txt", "--to", "9", "--exact", "--scheduler", address]
     assert main(pair) == 0  # nothing is written, but printed
     assert float(capsys.readouterr().out) == pytest.approx(vorogeo.exact_distance_field(*MESH, 7)[9])
+    np.save("regions.npy", np.zeros(700, int))
+    assert main(["area", "shapes/m.off", "--regions", "regions.npy", "--scheduler", address]) == 0
+    assert float(capsys.readouterr().out.split()[0]) == pytest.approx(index.area(vertices=np.zeros(700, int))[0].area)
+    os.remove("regions.npy")
     of_folder = ["field", "shapes/*.off", "--from", "source.txt", "--exact", "--metric", "cost.npy", "--out", "out"]
     assert main([*of_folder, "--scheduler", address]) == 1
     np.testing.assert_allclose(np.load("out/m.npy"), 3 * vorogeo.exact_distance_field(*MESH, 7), rtol=1e-12)

@@ -47,10 +47,10 @@ def _client(address: str, workers: int) -> Iterator[Any]:
 def _absolute(job: Job) -> Job:
     """The job for a process in another folder: names of files, also among the points, begin at the root."""
     options = dict(job.options)
-    for name in ("mask", "metric", "index", "with"):
-        if options.get(name):
+    for name in ("mask", "metric", "index", "with", "regions", "region"):
+        if isinstance(options.get(name), str):  # of cut, a region is a number
             options[name] = os.path.abspath(options[name])
-    for name in ("from", "to", "points", "at", "curve"):
+    for name in ("from", "to", "points", "at", "curve", "inside"):
         if options.get(name):
             options[name] = [os.path.abspath(word) if os.path.isfile(word) else word for word in options[name]]
     return replace(job, mesh=os.path.abspath(job.mesh), out=job.out and os.path.abspath(job.out), options=options)
