@@ -172,7 +172,7 @@ inner::TaskOptions core_options(const Options& options) {
   return {.by = static_cast<AnswerMethod>(options.by), .progress = Progress(options.progress)};
 }
 
-/// How and where a question is asked. What answered it is noted by all but tasks.
+/// How and where a question is asked, and then what answered it.
 struct Asked {
   inner::Surface& surface;
   const Mesh& mesh;
@@ -201,6 +201,7 @@ auto ask(const Surface& surface, const Options& options, Body&& body) {
       if (options.to) answering = &current->reversed();
     }
     Asked asked{*answering, *surface.state().mesh, core_options(options)};
+    asked.options.answered = &asked.answered;
     return body(asked);
   });
 }

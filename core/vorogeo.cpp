@@ -453,8 +453,7 @@ NearestOfSet nearest(const Surface& surface, const PointList& set, const PointLi
 
 Path path_through(const Surface& surface, const PointList& points, bool closed, bool guides,
                   const TaskOptions& options) {
-  return ask(surface, options, [&](Asked& at) {
-    at.options.answered = &at.answered;
+  return ask(surface, options, [&](const Asked& at) {
     const auto found =
         (guides ? inner::tighten : inner::path_through)(at.surface, at.in(points), closed, at.options);
     return path_out(at.mesh, found, at.answered);
@@ -467,8 +466,7 @@ Path tighten(const Surface& surface, const PointList& curve, const TaskOptions& 
 
 Path shortest_loop(const Surface& surface, const SurfacePoint& point, const PointList& curve,
                    const TaskOptions& options) {
-  return ask(surface, options, [&](Asked& at) {
-    at.options.answered = &at.answered;
+  return ask(surface, options, [&](const Asked& at) {
     return path_out(at.mesh, shortest_loop(at.surface, at.in(point), at.in(curve), at.options), at.answered);
   });
 }
@@ -477,8 +475,7 @@ namespace {
 
 Girth girth_of(const Surface& surface, const SurfacePoint& point, const std::optional<Point>& normal,
                const TaskOptions& options) {
-  return ask(surface, options, [&](Asked& at) {
-    at.options.answered = &at.answered;
+  return ask(surface, options, [&](const Asked& at) {
     auto found = girth(at.surface, at.in(point), normal, at.options);
     return Girth{found.normal, path_out(at.mesh, {std::move(found.section), false}, {}),
                  std::move(found.tape), found.tape_length,

@@ -18,16 +18,14 @@ std::vector<SurfacePoint> points_along(const Surface& surface, const PointList& 
 }
 
 Path bezier(const Surface& surface, const PointList& points, int samples, const TaskOptions& options) {
-  return ask(surface, options, [&](Asked& at) {
-    at.options.answered = &at.answered;
+  return ask(surface, options, [&](const Asked& at) {
     return path_out(at.mesh, inner::bezier(at.surface, at.in(points), samples, at.options), at.answered);
   });
 }
 
 Path b_spline(const Surface& surface, const PointList& points, bool closed, int levels,
               const TaskOptions& options) {
-  return ask(surface, options, [&](Asked& at) {
-    at.options.answered = &at.answered;
+  return ask(surface, options, [&](const Asked& at) {
     return path_out(at.mesh, inner::b_spline(at.surface, at.in(points), closed, levels, at.options),
                     at.answered);
   });
@@ -35,8 +33,7 @@ Path b_spline(const Surface& surface, const PointList& points, bool closed, int 
 
 Path spline(const Surface& surface, const PointList& points, bool closed, int samples,
             const TaskOptions& options) {
-  return ask(surface, options, [&](Asked& at) {
-    at.options.answered = &at.answered;
+  return ask(surface, options, [&](const Asked& at) {
     return path_out(at.mesh, inner::spline(at.surface, at.in(points), closed, samples, at.options),
                     at.answered);
   });

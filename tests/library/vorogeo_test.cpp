@@ -396,6 +396,9 @@ TEST(Library, InfiniteCostsAreBarriers) {
     EXPECT_EQ(field.expected_error, 0.0);
     EXPECT_NEAR(field.distance[2], 2.0 * std::sqrt(2.0), 1e-12) << "along the edge of the barrier";
     EXPECT_EQ(field.distance[3], vorogeo::unreachable);
+    if (options.face_cost.empty()) {
+      EXPECT_EQ(log_map(surface, 0).unreached, 1);
+    }
     EXPECT_TRUE(surface.path(0, 3).points.empty());
     EXPECT_NE(sentence_of<vorogeo::InvalidInput>([&] {
                 surface.distance(0, {1, {0.2, 0.3, 0.5}});
