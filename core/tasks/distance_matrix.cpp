@@ -38,10 +38,11 @@ void in_blocks(const Workers& workers, std::size_t count, Body&& body) {
                });
 }
 
-/// Entries are distances in double or single precision.
+}  // namespace
+
 template <class Entry>
-void fill_rectangle(Surface& surface, const PointList& row_points, const PointList& column_points,
-                    MatrixMethod method, std::span<Entry> matrix, const TaskOptions& options) {
+void distance_matrix(Surface& surface, const PointList& row_points, const PointList& column_points,
+                     MatrixMethod method, std::span<Entry> matrix, const TaskOptions& options) {
   require_size(matrix.size(), row_points.size() * column_points.size());
   const PointList rows = points_on(*surface.mesh(), row_points, "Row");
   const PointList columns = points_on(*surface.mesh(), column_points, "Column");
@@ -74,8 +75,8 @@ void fill_rectangle(Surface& surface, const PointList& row_points, const PointLi
 }
 
 template <class Entry>
-void fill_square(Surface& surface, const PointList& given, MatrixMethod method, std::span<Entry> matrix,
-                 const TaskOptions& options) {
+void distance_matrix(Surface& surface, const PointList& given, MatrixMethod method, std::span<Entry> matrix,
+                     const TaskOptions& options) {
   const std::size_t count = given.size();
   require_size(matrix.size(), count * count);
   const PointList points = points_on(*surface.mesh(), given, "Point");
@@ -116,8 +117,8 @@ void fill_square(Surface& surface, const PointList& given, MatrixMethod method, 
 }
 
 template <class Entry>
-void fill_rows(Surface& surface, const PointList& given, double max_distance, std::span<Entry> rows,
-               const TaskOptions& options) {
+void distance_fields(Surface& surface, const PointList& given, double max_distance, std::span<Entry> rows,
+                     const TaskOptions& options) {
   const auto width = static_cast<std::size_t>(surface.mesh()->given_vertex_count());
   require_size(rows.size(), given.size() * width);
   const PointList sources = points_on(*surface.mesh(), given, "Source");
@@ -132,36 +133,14 @@ void fill_rows(Surface& surface, const PointList& given, double max_distance, st
                });
 }
 
-}  // namespace
-
-void distance_matrix(Surface& surface, const PointList& rows, const PointList& columns, MatrixMethod method,
-                     std::span<double> matrix, const TaskOptions& options) {
-  fill_rectangle(surface, rows, columns, method, matrix, options);
-}
-
-void distance_matrix(Surface& surface, const PointList& points, MatrixMethod method, std::span<double> matrix,
-                     const TaskOptions& options) {
-  fill_square(surface, points, method, matrix, options);
-}
-
-void distance_fields(Surface& surface, const PointList& sources, double max_distance, std::span<double> rows,
-                     const TaskOptions& options) {
-  fill_rows(surface, sources, max_distance, rows, options);
-}
-
-void distance_matrix(Surface& surface, const PointList& rows, const PointList& columns, MatrixMethod method,
-                     std::span<float> matrix, const TaskOptions& options) {
-  fill_rectangle(surface, rows, columns, method, matrix, options);
-}
-
-void distance_matrix(Surface& surface, const PointList& points, MatrixMethod method, std::span<float> matrix,
-                     const TaskOptions& options) {
-  fill_square(surface, points, method, matrix, options);
-}
-
-void distance_fields(Surface& surface, const PointList& sources, double max_distance, std::span<float> rows,
-                     const TaskOptions& options) {
-  fill_rows(surface, sources, max_distance, rows, options);
-}
+template void distance_matrix(Surface&, const PointList&, const PointList&, MatrixMethod, std::span<double>,
+                              const TaskOptions&);
+template void distance_matrix(Surface&, const PointList&, const PointList&, MatrixMethod, std::span<float>,
+                              const TaskOptions&);
+template void distance_matrix(Surface&, const PointList&, MatrixMethod, std::span<double>,
+                              const TaskOptions&);
+template void distance_matrix(Surface&, const PointList&, MatrixMethod, std::span<float>, const TaskOptions&);
+template void distance_fields(Surface&, const PointList&, double, std::span<double>, const TaskOptions&);
+template void distance_fields(Surface&, const PointList&, double, std::span<float>, const TaskOptions&);
 
 }  // namespace vorogeo

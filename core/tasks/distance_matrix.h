@@ -15,30 +15,26 @@ enum class MatrixMethod {
   fields      ///< a field from each point of the shorter list
 };
 
+// In double precision, or rounded to float.
+
 /// Distances between all rows and columns, row by row: matrix[i * columns.size() + j]; `unreachable` where no
 /// path leads. Rows or columns may be empty. \throw InvalidInput for a point that is not on the mesh or a
 /// matrix of another size, Cancelled (the matrix is then partly filled).
+template <class Entry>
 void distance_matrix(Surface& surface, const PointList& rows, const PointList& columns, MatrixMethod method,
-                     std::span<double> matrix, const TaskOptions& options = {});
-/// The same, rounded to single precision.
-void distance_matrix(Surface& surface, const PointList& rows, const PointList& columns, MatrixMethod method,
-                     std::span<float> matrix, const TaskOptions& options = {});
+                     std::span<Entry> matrix, const TaskOptions& options = {});
 
 /// The matrix of one list with itself: symmetric to the last bit, zero on the diagonal and for repeated
 /// points. With fields, the value of a pair is read from the field of its smaller point
 /// (SurfacePoint::<=>).
-void distance_matrix(Surface& surface, const PointList& points, MatrixMethod method, std::span<double> matrix,
-                     const TaskOptions& options = {});
-/// The same, rounded to single precision.
-void distance_matrix(Surface& surface, const PointList& points, MatrixMethod method, std::span<float> matrix,
+template <class Entry>
+void distance_matrix(Surface& surface, const PointList& points, MatrixMethod method, std::span<Entry> matrix,
                      const TaskOptions& options = {});
 
 /// The field of each source at all vertices in a row of n values; distances above max_distance are
 /// `unreachable`. \throw as distance_matrix, and for a max_distance that is negative or NaN.
-void distance_fields(Surface& surface, const PointList& sources, double max_distance, std::span<double> rows,
-                     const TaskOptions& options = {});
-/// The same, rounded to single precision.
-void distance_fields(Surface& surface, const PointList& sources, double max_distance, std::span<float> rows,
+template <class Entry>
+void distance_fields(Surface& surface, const PointList& sources, double max_distance, std::span<Entry> rows,
                      const TaskOptions& options = {});
 
 }  // namespace vorogeo

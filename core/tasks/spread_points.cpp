@@ -16,13 +16,11 @@ namespace vorogeo {
 
 namespace {
 
-/// The given vertices with a face, of one component, or of all for no_index. \throw InvalidInput if there are
-/// none.
-std::vector<Index> vertices_with_face(const Mesh& mesh, Index component = no_index) {
+/// The given vertices with a face. \throw InvalidInput if there are none.
+std::vector<Index> vertices_with_face(const Mesh& mesh) {
   std::vector<Index> vertices;
   for (Index v = 0; v < mesh.given_vertex_count(); ++v) {
-    const bool counts = component == no_index || mesh.component(v) == component;
-    if (counts && mesh.fan(v) != Mesh::Fan::isolated) vertices.push_back(v);
+    if (mesh.fan(v) != Mesh::Fan::isolated) vertices.push_back(v);
   }
   if (vertices.empty()) {
     throw InvalidInput(
@@ -55,7 +53,7 @@ FarthestSamples sample_farthest(Surface& surface, const FarthestStop& stop, cons
   // The k-th sample reaches as far as the regions of k samples; this is the mean of all.
   const double reach = reach_of_regions(expected);
   Workers workers(surface, options, expected, std::min(1.0, reach * (1.0 - std::log(reach))));
-  const auto allowed = vertices_with_face(mesh, stop.component);
+  const auto allowed = vertices_with_face(mesh);
   FarthestSamples result;
   result.distance.assign(mesh.vertex_count(), unreachable);
   std::mt19937_64 random(seed);
@@ -87,7 +85,6 @@ FarthestSamples sample_farthest(Surface& surface, const FarthestStop& stop, cons
       result.radius.push_back(result.distance[farthest]);
     }
     result.points.push_back(sample);
-    result.vertices.push_back(sample.vertex);
     take_minimum(result.distance,
                  workers.field_on_all_threads(std::span(&sample, 1), result.covering_radius));
     if (sample.is_vertex()) result.distance[sample.vertex] = 0.0;
@@ -298,7 +295,6 @@ RelaxedPoints relax_points(Surface& surface, const PointList& given, Index round
     now = std::move(next);
   }
   result.region = std::move(now.region);
-  for (const SurfacePoint& point : result.points) result.vertices.push_back(point.vertex);
   progress.report(1.0, "Lloyd relaxation");
   return result;
 }

@@ -15,14 +15,12 @@ namespace vorogeo {
 
 /// When farthest point sampling stops: at whichever comes first.
 struct FarthestStop {
-  Index count = 0;             ///< this many samples; 0: no such limit
-  double radius = 0.0;         ///< every vertex is at most this far from a sample
-  Index component = no_index;  ///< only vertices of this component are taken; no_index: all
+  Index count = 0;      ///< this many samples; 0: no such limit
+  double radius = 0.0;  ///< every vertex is at most this far from a sample
 };
 
 struct FarthestSamples {
   std::vector<SurfacePoint> points;  ///< in the order in which they were taken
-  std::vector<Index> vertices;       ///< the same; no_index for a start that is not a vertex
   std::vector<double> radius;        ///< distance of each from the previous ones; infinity in a new component
   std::vector<double> distance;      ///< of every vertex from the nearest sample, shape (n)
   /// Greatest entry of `distance` (vertices without a face left out); infinity if a component has no sample.
@@ -50,7 +48,6 @@ std::vector<Index> sample_poisson_disk(Surface& surface, double radius, std::uin
 
 struct RelaxedPoints {
   std::vector<SurfacePoint> points;  ///< final position of each point, in the order given
-  std::vector<Index> vertices;       ///< the same as vertices; no_index for a point that stayed inside a face
   /// Before the first and after each round: integral over the surface of the squared distance from the
   /// nearest point, in the fourth power of the unit (each vertex represents a third of its faces).
   std::vector<double> energy;

@@ -81,7 +81,7 @@ Results distance_matrix_of_selection(FilterCall& call) {
   auto [matrix, answered, results] =
       ask_task(call, *layer, "Distance matrix", [&](Surface& surface, const TaskOptions& options) {
         std::vector<double> distances(k * k);
-        distance_matrix(surface, points.points, MatrixMethod::automatic, distances, options);
+        distance_matrix(surface, points.points, MatrixMethod::automatic, std::span(distances), options);
         return distances;
       });
   if (output) {

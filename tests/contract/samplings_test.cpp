@@ -31,7 +31,7 @@ TEST(SamplingsContract, EachFarthestPointIsTheFarthestFromThoseBefore) {
     ASSERT_EQ(found.points.size(), 9U);
     EXPECT_EQ(found.radius[0], unreachable);
     for (std::size_t i = 2; i < 9; ++i) {
-      const double there = from_nearest(one, found.points, i, found.vertices[i]);
+      const double there = from_nearest(one, found.points, i, found.points[i].vertex);
       expect_close(found.radius[i], there, one.tolerance(by), one.ask, "sample " + std::to_string(i));
       expect_close(there, covering_radius(one, found.points, i), 2.0 * one.tolerance(by), one.ask,
                    "sample " + std::to_string(i));
@@ -50,7 +50,7 @@ TEST(SamplingsContract, ARadiusIsReachedWithPointsThatFarApart) {
     EXPECT_LE(found.covering_radius, 0.8);
     EXPECT_LE(covering_radius(one, found.points, found.points.size()), 0.8 * (1.0 + one.tolerance(by)));
     for (std::size_t i = 1; i < found.points.size(); ++i) {
-      EXPECT_GE(from_nearest(one, found.points, i, found.vertices[i]), 0.8 * (1.0 - one.tolerance(by)));
+      EXPECT_GE(from_nearest(one, found.points, i, found.points[i].vertex), 0.8 * (1.0 - one.tolerance(by)));
     }
   });
 }
@@ -63,10 +63,10 @@ TEST(SamplingsContract, EveryComponentGetsAFarthestPointAndNoVertexWithoutAFaceI
     EXPECT_EQ(parts.distance(two.points[0], two.points[1]), unreachable);
     EXPECT_EQ(two.radius[1], unreachable);
     const Samples all = ask.farthest_points(1000, 0.0, {}, by);
-    const std::set<Index> taken(all.vertices.begin(), all.vertices.end());
+    const std::set<SurfacePoint> taken(all.points.begin(), all.points.end());
     EXPECT_EQ(static_cast<Index>(taken.size()), ask.vertex_count() - 1);
-    EXPECT_EQ(all.vertices.size(), taken.size());
-    EXPECT_FALSE(taken.contains(ask.vertex_count() - 1));
+    EXPECT_EQ(all.points.size(), taken.size());
+    EXPECT_FALSE(taken.contains(vertex(ask.vertex_count() - 1)));
     EXPECT_EQ(all.covering_radius, 0.0);
   }
 }
@@ -94,7 +94,7 @@ TEST(SamplingsContract, RelaxedPointsStayDistinctAndTheirEnergyNeverRises) {
     for (const By by : {By::exact, By::index}) {
       const RelaxedPoints found = ask.relaxed(start, 10, by);
       ASSERT_EQ(found.points.size(), start.size());
-      const std::set<Index> distinct(found.vertices.begin(), found.vertices.end());
+      const std::set<SurfacePoint> distinct(found.points.begin(), found.points.end());
       EXPECT_EQ(distinct.size(), start.size());
       for (std::size_t i = 1; i < found.energy.size(); ++i) {
         EXPECT_LE(found.energy[i], found.energy[i - 1] * (by == By::exact ? 1.0 + 1e-12 : 1.001));

@@ -60,10 +60,12 @@ const std::vector<Question>& questions() {
          return all_of(found.vertex_region, found.area, coordinates(found.borders.points));
        }},
       {"farthest points",
-       [](const Ask& ask, By by) { return all_of(ask.farthest_points(30, 0.0, {}, by, 5).vertices); }},
+       [](const Ask& ask, By by) {
+         return all_of(PointList(ask.farthest_points(30, 0.0, {}, by, 5).points).vertices());
+       }},
       {"Poisson disks", [](const Ask& ask, By by) { return all_of(ask.poisson_disk(0.2, by, 5)); }},
       {"relaxed points", [](const Ask& ask, By by) {
-         return all_of(ask.relaxed(vertices({0, 1, 2}), 4, by).vertices);
+         return all_of(PointList(ask.relaxed(vertices({0, 1, 2}), 4, by).points).vertices());
        }}};
   return all;
 }

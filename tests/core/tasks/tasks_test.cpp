@@ -31,7 +31,7 @@ TEST(Tasks, WhatDoesNotFitIsRefused) {
   EXPECT_THROW(
       distance_matrix(surface, std::array<Index, 2>{0, 1}, MatrixMethod::automatic, std::span(four).first(3)),
       InvalidInput);
-  EXPECT_THROW(distance_fields(surface, points, unreachable, four), InvalidInput);
+  EXPECT_THROW(distance_fields(surface, points, unreachable, std::span(four)), InvalidInput);
   EXPECT_THROW(pairs_within(surface, points, 100.0, 1000), NotEnoughMemory);
 }
 
@@ -45,8 +45,8 @@ TEST(Tasks, CanBeCancelled) {
   for (const AnswerMethod by : {AnswerMethod::exact, AnswerMethod::index}) {
     const TaskOptions options{.by = by, .progress = stop};
     for (const auto& task : std::vector<std::function<void()>>{
-             [&] { distance_matrix(surface, points, MatrixMethod::fields, matrix, options); },
-             [&] { distance_fields(surface, points, unreachable, fields, options); },
+             [&] { distance_matrix(surface, points, MatrixMethod::fields, std::span(matrix), options); },
+             [&] { distance_fields(surface, points, unreachable, std::span(fields), options); },
              [&] { pairs_within(surface, points, 1.0, 0, options); },
              [&] { nearest_of_set(surface, points, points, 2, options); },
              [&] { voronoi_regions(surface, points, options); },
@@ -102,7 +102,8 @@ const test::Shape rectangle = test::plane_grid(20, 10, 2.0, 1.0);
 TEST(RelaxPoints, OnePointMovesToTheMiddleOfASquare) {
   Surface surface(test::make_mesh(square.soup), {.threads = 2});
   const RelaxedPoints found = relax_points(surface, std::array<Index, 1>{0}, 20, {.by = AnswerMethod::exact});
-  EXPECT_EQ(found.vertices, std::vector<Index>{5 * 11 + 5});
+  ASSERT_EQ(found.points.size(), 1U);
+  EXPECT_EQ(found.points[0], SurfacePoint::at_vertex(5 * 11 + 5));
   // The integral of the squared distance from a corner is 2/3, from the middle 1/6; vertices stand for their
   // faces, which makes an error of the order of a squared cell.
   EXPECT_NEAR(found.energy.front(), 2.0 / 3.0, 0.01);
@@ -114,11 +115,11 @@ TEST(RelaxPoints, ARepeatedPointWaitsUntilTheOtherHasMoved) {
   Surface surface(test::make_mesh(rectangle.soup), {.threads = 1});
   const RelaxedPoints first =
       relax_points(surface, std::array<Index, 3>{0, 3, 3}, 1, {.by = AnswerMethod::exact});
-  EXPECT_EQ(first.vertices[2], 3);
-  EXPECT_NE(first.vertices[1], 3);
+  EXPECT_EQ(first.points[2].vertex, 3);
+  EXPECT_NE(first.points[1].vertex, 3);
   const RelaxedPoints found =
       relax_points(surface, std::array<Index, 3>{0, 3, 3}, 30, {.by = AnswerMethod::exact});
-  EXPECT_NE(found.vertices[2], 3);
+  EXPECT_NE(found.points[2].vertex, 3);
   EXPECT_TRUE(std::ranges::is_sorted(found.energy, std::greater<>()));
 }
 
