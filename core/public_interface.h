@@ -208,7 +208,7 @@ auto ask(const Surface& surface, const Options& options, Body&& body) {
 
 inline Path path_out(const Mesh& mesh, const ExactPath& found, const Answered& answered) {
   Path path;
-  for (const auto& point : found.path.points) path.points.push_back(position_of(mesh, point));
+  path.points = positions_of(mesh, found.path.points);
   path.surface_points = points_out(mesh, found.path.points);
   path.length = found.path.length;
   path.certified = found.certified;

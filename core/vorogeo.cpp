@@ -564,7 +564,7 @@ namespace {
 
 CutMesh cut_out(const Mesh& mesh, inner::CutMesh found) {
   CutMesh cut;
-  for (const auto& point : found.points) cut.positions.push_back(position_of(mesh, point));
+  cut.positions = positions_of(mesh, found.points);
   cut.points = points_out(mesh, found.points);
   for (const Index face : found.face_of) cut.face_of.push_back(mesh.input_face(face));
   cut.faces = std::move(found.faces);

@@ -40,10 +40,8 @@ DistanceGradient distance_gradient(const Surface& surface, const PointList& from
 CutLocus cut_locus(const Surface& surface, const PointList& sources, const CutLocusOptions& options) {
   return ask(surface, TaskOptions{Answer::exact, options.progress}, [&](const Asked& at) {
     auto found = inner::cut_locus(at.surface, at.in(sources), options.min_angle, options.limit, at.options);
-    std::vector<Point> positions;
-    for (const auto& point : found.points) positions.push_back(position_of(at.mesh, point));
-    return CutLocus{points_out(at.mesh, found.points), std::move(positions), std::move(found.edges),
-                    std::move(found.distance), std::move(found.angle)};
+    return CutLocus{points_out(at.mesh, found.points), positions_of(at.mesh, found.points),
+                    std::move(found.edges), std::move(found.distance), std::move(found.angle)};
   });
 }
 

@@ -105,6 +105,12 @@ Point position_of(const Mesh& mesh, const SurfacePoint& point) {
   return result;
 }
 
+std::vector<Point> positions_of(const Mesh& mesh, std::span<const SurfacePoint> points) {
+  std::vector<Point> positions;
+  for (const SurfacePoint& point : points) positions.push_back(position_of(mesh, point));
+  return positions;
+}
+
 double potential_at(const Mesh& mesh, const SurfacePoint& point) {
   if (point.is_vertex()) return mesh.potential(point.vertex);
   double sum = 0.0;

@@ -53,6 +53,7 @@ inline Index component_of(const Mesh& mesh, const SurfacePoint& point) {
 
 /// Position in space; NaN on a surface without positions.
 Point position_of(const Mesh& mesh, const SurfacePoint& point);
+std::vector<Point> positions_of(const Mesh& mesh, std::span<const SurfacePoint> points);
 
 /// Of a metric that goes one way (Mesh::potential), linear over each face.
 double potential_at(const Mesh& mesh, const SurfacePoint& point);

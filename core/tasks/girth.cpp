@@ -205,9 +205,7 @@ Girth girth(Surface& surface, const SurfacePoint& given, const std::optional<Poi
     std::tie(found.normal, section) = shortest_section(mesh, point, cutter);
   }
   found.section = std::move(section.path);
-  std::vector<Point> positions;
-  for (const SurfacePoint& at : found.section.points) positions.push_back(position_of(mesh, at));
-  found.tape = hull_in_plane(positions, found.normal);
+  found.tape = hull_in_plane(positions_of(mesh, found.section.points), found.normal);
   for (std::size_t i = 0; i < found.tape.size(); ++i) {
     found.tape_length += distance_between(found.tape[i], found.tape[(i + 1) % found.tape.size()]);
   }

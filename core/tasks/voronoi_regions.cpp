@@ -219,9 +219,7 @@ DividedFaces::DividedFaces(Workers& workers, const PointList& sites, std::vector
       }
     }
   }
-  std::vector<Point> positions;
-  for (const SurfacePoint& point : corners.points) positions.push_back(position_of(mesh, point));
-  parts_ = std::make_shared<const Mesh>(std::move(positions), faces);
+  parts_ = std::make_shared<const Mesh>(positions_of(mesh, corners.points), faces);
   at_.resize(corners.points.size());
   distance_.resize(corners.points.size());
   std::vector<std::pair<Index, std::vector<Index>>> asked(corners_of_site.begin(), corners_of_site.end());

@@ -293,7 +293,7 @@ RulerAnswer RulerSurface::measure(MeasureKind kind, const std::vector<Picked>& p
     if (!answer.is_on_surface) return;
     const auto surface = layer_->surface();
     const Mesh& mesh = *surface->mesh();
-    for (const SurfacePoint& point : points) answer.points.push_back(position_of(mesh, point));
+    answer.points = positions_of(mesh, points);
     Answered answered;
     const TaskOptions options{AnswerMethod::exact, progress, &answered};
     const auto add_line = [&](const SurfacePath& path) { append(answer.lines, lines_of(mesh, path)); };

@@ -308,9 +308,6 @@ Results draw_girth(FilterCall& call) {
   if (normal == Point{}) normal.reset();
   auto [limb, answered, results] =
       ask_task_by(AnswerMethod::exact, call, *layer, "Girth", girth, start.point, normal);
-  // Section and tape are measured in space, whatever the metric.
-  std::vector<Point> section;
-  for (const SurfacePoint& point : limb.section.points) section.push_back(position_of(*mesh, point));
   std::vector<Point> tape = limb.tape;
   tape.push_back(tape.front());
   const auto add = [&](const char* name, const PathLines& line, bool make_current) {
@@ -318,7 +315,8 @@ Results draw_girth(FilterCall& call) {
   };
   add("Girth: tape", lines_through(tape), false);
   if (limb.loop.points.size() > 1) add("Girth: loop", lines_of(*mesh, limb.loop), false);
-  add("Girth: section", lines_through(section), true);
+  // In space, whatever the metric, as the tape.
+  add("Girth: section", lines_through(positions_of(*mesh, limb.section.points)), true);
   call.log("Girth: section " + logged_length(limb.section.length) + ", tape " +
            logged_length(limb.tape_length) + ", loop " + logged_length(limb.loop.length));
   results["section_length"] = limb.section.length;

@@ -116,8 +116,7 @@ Results draw_cut_locus(FilterCall& call) {
   auto [locus, answered, results] =
       ask_task_by(AnswerMethod::exact, call, *layer, "Cut locus", cut_locus, sources.points,
                   degrees / 180.0 * std::numbers::pi, unreachable);
-  SurfaceLines lines{{}, std::move(locus.edges)};
-  for (const SurfacePoint& point : locus.points) lines.points.push_back(position_of(*mesh, point));
+  const SurfaceLines lines{positions_of(*mesh, locus.points), std::move(locus.edges)};
   const std::string of = "Cut locus of " + std::to_string(sources.size()) + " " + sources.what + ": ";
   add_polyline_layer(call.document, call.layer, "Cut locus", lines, locus.distance, true);
   call.log(of + (lines.segments.empty() ? "no line, as nowhere two shortest paths differ by this angle"

@@ -4,9 +4,7 @@
 namespace vorogeo::plugin {
 
 PathLines lines_of(const Mesh& mesh, const SurfacePath& path) {
-  std::vector<Point> positions;
-  for (const SurfacePoint& point : path.points) positions.push_back(position_of(mesh, point));
-  PathLines result = lines_through(positions);
+  PathLines result = lines_through(positions_of(mesh, path.points));
   for (std::size_t i = 1; i < path.points.size(); ++i) {
     // In the metric of the mesh, which may be another than that of its positions.
     result.along[i] = result.along[i - 1] + cost_of_line(mesh, std::span(&path.points[i - 1], 2));

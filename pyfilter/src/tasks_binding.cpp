@@ -177,8 +177,7 @@ auto area_within(const TaskOptions& options, const HeldSurface& held, const Poin
 /// edges.
 auto cut_out(const HeldSurface& held, CutMesh&& cut) {
   const Mesh& mesh = held.mesh();
-  std::vector<Point> positions;
-  for (const SurfacePoint& point : cut.points) positions.push_back(position_of(mesh, point));
+  std::vector<Point> positions = positions_of(mesh, cut.points);
   PointColumns added;
   for (std::size_t i = static_cast<std::size_t>(mesh.given_vertex_count()); i < cut.points.size(); ++i) {
     added.add(mesh, cut.points[i]);
@@ -393,10 +392,8 @@ auto distance_gradients(const TaskOptions& options, const HeldSurface& held, con
 auto cut_locus_of(const TaskOptions& options, const HeldSurface& held, const PointArrays& sources,
                   double min_angle, double max_distance) {
   auto found = cut_locus(*held.surface, held.points(sources), min_angle, max_distance, options);
-  std::vector<Point> positions;
-  for (const SurfacePoint& point : found.points) positions.push_back(position_of(held.mesh(), point));
-  return std::tuple(std::move(positions), std::move(found.edges), std::move(found.distance),
-                    std::move(found.angle), columns_of(held, found.points));
+  return std::tuple(positions_of(held.mesh(), found.points), std::move(found.edges),
+                    std::move(found.distance), std::move(found.angle), columns_of(held, found.points));
 }
 
 /// Coordinates by vertex, stretch by face that was given.

@@ -13,12 +13,6 @@
 namespace vorogeo::contract {
 namespace {
 
-std::vector<Point> positions_of(const Mesh& mesh, const CutMesh& cut) {
-  std::vector<Point> positions;
-  for (const SurfacePoint& point : cut.points) positions.push_back(position_of(mesh, point));
-  return positions;
-}
-
 double area_of(const std::vector<Point>& positions, const std::array<Index, 3>& face) {
   const auto& [a, b, c] = face;
   const Point u = minus(positions[b], positions[a]);
@@ -55,7 +49,7 @@ Index euler_characteristic(const std::vector<std::array<Index, 3>>& faces) {
 /// The cut mesh is the mesh: each face has its area, borders and edges of many faces their length, and no
 /// hole was torn.
 void expect_same_surface(const Mesh& mesh, const CutMesh& cut) {
-  const auto positions = positions_of(mesh, cut);
+  const auto positions = positions_of(mesh, cut.points);
   std::vector<double> area(mesh.face_count(), 0.0);
   double whole = 0.0;
   double farthest = 0.0;  // coordinates are rounded
@@ -121,7 +115,7 @@ TEST(CutContract, DistancesOfNewPointsAreTheirLevelInAPlane) {
   const test::Soup soup = test::plane_grid(11, 9, 4.0, 3.0, 0.24, 7).soup;
   const Ask ask(soup);
   const CutMesh cut = ask.cut_at_levels(ask.field({{vertex(30)}}, By::exact).distance, {0.93});
-  const auto positions = positions_of(ask.mesh(), cut);
+  const auto positions = positions_of(ask.mesh(), cut.points);
   double inside = 0.0;
   for (std::size_t v = soup.positions.size(); v < positions.size(); ++v) {
     EXPECT_NEAR(distance_between(positions[v], soup.positions[30]), 0.93, 1e-11);
@@ -140,7 +134,7 @@ TEST(CutContract, ALineAlongWhichTheFieldIsConstantCutsStraight) {
   for (const Point& p : soup.positions) values.push_back(p[0]);
   const Ask ask(soup);
   const CutMesh cut = ask.cut_at_levels(values, {1.0, 1.1}, Interpolation::linear);  // the first along edges
-  const auto positions = positions_of(ask.mesh(), cut);
+  const auto positions = positions_of(ask.mesh(), cut.points);
   std::array<double, 3> area{};
   for (std::size_t f = 0; f < cut.faces.size(); ++f) area[cut.region[f]] += area_of(positions, cut.faces[f]);
   EXPECT_NEAR(area[0], 2.0, 1e-12);
@@ -162,7 +156,7 @@ TEST(CutContract, AlongPathsTheSurfaceStays) {
     }
     const CutMesh cut = one.ask.cut_along(lines);
     expect_same_surface(one.ask.mesh(), cut);
-    const auto positions = positions_of(one.ask.mesh(), cut);
+    const auto positions = positions_of(one.ask.mesh(), cut.points);
     double along = 0.0;
     for (const auto& [a, b] : cut.edges) along += distance_between(positions[a], positions[b]);
     EXPECT_LE(along, length * (1.0 + 1e-9));  // where paths run together, their edges are there once
@@ -183,7 +177,7 @@ TEST(CutContract, CrossedLinesOfAPlaneHaveFourQuarters) {
   };
   const CutMesh cut = ask.cut_along({line(place(0, 0.6), place(2, 0.6)), line(place(1.3, 0), place(1.3, 2))});
   expect_same_surface(ask.mesh(), cut);
-  const auto positions = positions_of(ask.mesh(), cut);
+  const auto positions = positions_of(ask.mesh(), cut.points);
   std::map<Index, double> area;
   double left = 0.0;
   for (std::size_t f = 0; f < cut.faces.size(); ++f) {
@@ -205,7 +199,7 @@ TEST(CutContract, SidesAreThoseOfALineHoweverFacesAreTurned) {
   for (const test::Soup& soup : {plane, test::with_flipped_faces(plane, 3)}) {
     const Ask ask(soup);
     const CutMesh cut = ask.cut_at_levels(values, {1.3}, Interpolation::linear);
-    const auto positions = positions_of(ask.mesh(), cut);
+    const auto positions = positions_of(ask.mesh(), cut.points);
     std::set<bool> upwards, agrees;
     for (const auto& [a, b] : cut.edges) upwards.insert(positions[b][1] > positions[a][1]);
     for (std::size_t f = 0; f < cut.faces.size(); ++f) {
@@ -247,7 +241,7 @@ TEST(CutContract, AFineCircleInOneFaceTakesMomentsAndHasItsArea) {
   }
   circle.push_back(circle.front());
   const CutMesh cut = ask.cut_along({circle});
-  const auto positions = positions_of(ask.mesh(), cut);
+  const auto positions = positions_of(ask.mesh(), cut.points);
   std::map<Index, double> area;
   for (std::size_t f = 0; f < cut.faces.size(); ++f) area[cut.region[f]] += area_of(positions, cut.faces[f]);
   ASSERT_EQ(area.size(), 2u);

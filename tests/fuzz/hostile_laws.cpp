@@ -182,9 +182,7 @@ class Laws {
       const std::vector<Index>& line = cut.lines[0];
       // Among faces without width, rounding may end the line early.
       if (line.empty() || line.front() != target || line.back() != source) return;
-      std::vector<Point> positions;
-      for (const SurfacePoint& point : cut.points) positions.push_back(position_of(*hostile_.mesh, point));
-      const Torn torn = torn_along(cut, std::move(positions), line);
+      const Torn torn = torn_along(cut, positions_of(*hostile_.mesh, cut.points), line);
       const auto mesh = std::make_shared<const Mesh>(torn.soup.positions, torn.soup.faces);
       // Points of the line are rounded by units of the last place of the farthest vertex, and those very near
       // a corner are that corner.

@@ -35,10 +35,7 @@ Ridge ridge_from(const test::Soup& soup, const SurfacePoint& source) {
 }
 
 std::vector<Point> positions_of(const test::Soup& soup, const Ridge& ridge) {
-  const auto mesh = test::make_mesh(soup);
-  std::vector<Point> positions;
-  for (const SurfacePoint& point : ridge.points) positions.push_back(position_of(*mesh, point));
-  return positions;
+  return positions_of(*test::make_mesh(soup), ridge.points);
 }
 
 double length_of_lines(const test::Soup& soup, const Ridge& ridge) {
