@@ -1,5 +1,5 @@
 // What the sources of the public interface share: the core beside the public header, and what translates
-// points, options and errors in both directions.
+// points and options in both directions.
 #pragma once
 
 #include <mutex>
@@ -42,50 +42,22 @@
 #include "tasks/texture.h"
 #include "tasks/voronoi_regions.h"
 
-// The core's own names, before the header below declares public ones beside them.
+// The core's own names, before the header below declares public ones beside them. Its functions on a surface
+// or a mesh need none: they are found by these arguments.
 namespace inner {
-using vorogeo::b_spline;
-using vorogeo::band;
-using vorogeo::bezier;
-using vorogeo::Cancelled;
 using vorogeo::check_mesh;
-using vorogeo::convex_hull;
-using vorogeo::cut_along;
-using vorogeo::cut_at_levels;
-using vorogeo::cut_locus;
 using vorogeo::CutMesh;
-using vorogeo::distance_gradient;
-using vorogeo::enclosed_area;
-using vorogeo::Error;
-using vorogeo::exp_map;
-using vorogeo::gradient;
 using vorogeo::hiking_time;
-using vorogeo::IndexFileError;
 using vorogeo::IndexOptions;
-using vorogeo::InvalidInput;
-using vorogeo::isolines;
-using vorogeo::log_map;
-using vorogeo::medoid;
-using vorogeo::NotEnoughMemory;
 using vorogeo::path_through;
 using vorogeo::PointList;
-using vorogeo::points_along;
-using vorogeo::profile;
 using vorogeo::Query;
-using vorogeo::region_areas;
-using vorogeo::set_distances;
-using vorogeo::signed_distance;
 using vorogeo::slope_cost;
-using vorogeo::spline;
 using vorogeo::Surface;
 using vorogeo::SurfacePoint;
-using vorogeo::tangent_frames;
 using vorogeo::TaskOptions;
-using vorogeo::texture_coordinates;
 using vorogeo::tighten;
 using vorogeo::to_string;
-using vorogeo::transport;
-using vorogeo::transport_from;
 using vorogeo::travel_time;
 }  // namespace inner
 
@@ -118,21 +90,11 @@ struct Surface::State {
   }
 };
 
-/// Runs a piece of the core, whose errors leave as those of the public header.
+/// Runs a piece of the core, whose errors are those of the public header unless memory ends midway.
 template <class Body>
 auto translated(Body&& body) {
   try {
     return body();
-  } catch (const inner::Cancelled& error) {
-    throw Cancelled(error.what());
-  } catch (const inner::InvalidInput& error) {
-    throw InvalidInput(error.what());
-  } catch (const inner::IndexFileError& error) {
-    throw IndexFileError(error.what());
-  } catch (const inner::NotEnoughMemory& error) {
-    throw NotEnoughMemory(error.what());
-  } catch (const inner::Error& error) {
-    throw Error(error.what());
   } catch (const std::bad_alloc&) {
     throw NotEnoughMemory(out_of_memory_sentence);
   }

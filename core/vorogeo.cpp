@@ -1,4 +1,4 @@
-// The public interface over the core, which translates numbers, points, options and errors in both
+// The public interface over the core, which translates numbers, points and options in both
 // directions.
 #include <algorithm>
 #include <mutex>
@@ -498,7 +498,7 @@ Profile profile(const Surface& surface, const Path& path, const Point& up) {
   return translated([&] {
     const Mesh& mesh = *surface.state().mesh;
     const auto locate = [&]() -> const SurfaceLocator& { return surface.state().located(); };
-    return inner::profile(mesh, locate, points_in(mesh, path.surface_points), up);
+    return profile(mesh, locate, points_in(mesh, path.surface_points), up);
   });
 }
 
@@ -519,7 +519,7 @@ VoronoiRegions voronoi(const Surface& surface, const PointList& sites, const Tas
 Isolines isolines(const Surface& surface, const std::vector<double>& field,
                   const std::vector<double>& levels) {
   return translated([&] {
-    auto found = inner::isolines(*surface.state().mesh, field, levels, Interpolation::distance);
+    auto found = isolines(*surface.state().mesh, field, levels, Interpolation::distance);
     return Isolines{{std::move(found.lines.points), std::move(found.lines.segments)},
                     std::move(found.level_of_segment)};
   });
@@ -557,7 +557,7 @@ Disk disk(const Surface& surface, const PointList& sources, double radius, const
 
 Band band(const Surface& surface, const PointList& sources, double width, const TaskOptions& options) {
   return ask(surface, options,
-             [&](const Asked& at) { return inner::band(at.surface, at.in(sources), width, at.options); });
+             [&](const Asked& at) { return band(at.surface, at.in(sources), width, at.options); });
 }
 
 namespace {
@@ -579,15 +579,15 @@ CutMesh cut_out(const Mesh& mesh, inner::CutMesh found) {
 CutMesh cut_at_levels(const Surface& surface, const std::vector<double>& field,
                       const std::vector<double>& levels, const TaskOptions& options) {
   return ask(surface, options, [&](const Asked& at) {
-    return cut_out(
-        at.mesh, inner::cut_at_levels(at.mesh, field, levels, Interpolation::distance, at.options.progress));
+    return cut_out(at.mesh,
+                   cut_at_levels(at.mesh, field, levels, Interpolation::distance, at.options.progress));
   });
 }
 
 CutMesh cut_along(const Surface& surface, const std::vector<std::vector<SurfacePoint>>& lines,
                   const TaskOptions& options) {
   return ask(surface, options, [&](const Asked& at) {
-    return cut_out(at.mesh, inner::cut_along(at.mesh, at.in(lines), at.options.progress));
+    return cut_out(at.mesh, cut_along(at.mesh, at.in(lines), at.options.progress));
   });
 }
 
@@ -617,7 +617,7 @@ Polygon polygon(const Surface& surface, const PointList& points, const TaskOptio
 
 Polygon convex_hull(const Surface& surface, const PointList& points, const TaskOptions& options) {
   return ask(surface, options, [&](const Asked& at) {
-    return polygon_out(at.mesh, inner::convex_hull(at.surface, at.in(points), at.options));
+    return polygon_out(at.mesh, convex_hull(at.surface, at.in(points), at.options));
   });
 }
 
@@ -626,19 +626,19 @@ std::vector<RegionArea> region_areas(const Surface& surface, const std::vector<i
   return ask(surface, options, [&](const Asked& at) {
     require_count(label.size(), static_cast<std::size_t>(surface.face_count()), "label", "faces");
     const int last = label.empty() ? -1 : std::ranges::max(label);
-    return inner::region_areas(at.mesh, label, static_cast<std::size_t>(std::max(last, -1) + 1), at.options);
+    return region_areas(at.mesh, label, static_cast<std::size_t>(std::max(last, -1) + 1), at.options);
   });
 }
 
 RegionArea enclosed_area(const Surface& surface, const PointList& curve, const TaskOptions& options) {
   return ask(surface, options,
-             [&](const Asked& at) { return inner::enclosed_area(at.mesh, at.in(curve), at.options); });
+             [&](const Asked& at) { return enclosed_area(at.mesh, at.in(curve), at.options); });
 }
 
 SetDistances set_distances(const Surface& surface, const PointList& first, const PointList& second,
                            const TaskOptions& options) {
   return ask(surface, options, [&](const Asked& at) {
-    return inner::set_distances(at.surface, at.in(first), at.in(second), at.options);
+    return set_distances(at.surface, at.in(first), at.in(second), at.options);
   });
 }
 
@@ -664,7 +664,7 @@ Extent extent(const Surface& surface, int max_fields, const TaskOptions& options
 std::vector<TangentFrame> tangent_frames(const Surface& surface, const PointList& points) {
   return ask(surface, TaskOptions{}, [&](const Asked& at) {
     std::vector<TangentFrame> out;
-    for (const auto& [x, y, normal] : inner::tangent_frames(at.surface, at.in(points))) {
+    for (const auto& [x, y, normal] : tangent_frames(at.surface, at.in(points))) {
       out.push_back({x, y, normal});
     }
     return out;
@@ -675,7 +675,7 @@ LogMap log_map(const Surface& surface, const SurfacePoint& from, const LogMapOpt
   return ask(surface, TaskOptions{options.by, options.progress}, [&](const Asked& at) {
     std::optional<inner::PointList> targets;
     if (!options.targets.empty()) targets = at.in(options.targets);
-    auto found = inner::log_map(at.surface, at.in(from), targets, options.limit, at.options);
+    auto found = log_map(at.surface, at.in(from), targets, options.limit, at.options);
     const int unreached = at.answered.unreached;
     if (targets) return LogMap{std::move(found.vector), std::move(found.distance), unreached};
     const InputMap map(at.mesh);
@@ -689,7 +689,7 @@ std::vector<Tangent> gradient(const Surface& surface, const PointList& sources,
   return ask(surface, TaskOptions{Answer::exact, options.progress}, [&](const Asked& at) {
     std::optional<inner::PointList> points;
     if (!options.points.empty()) points = at.in(options.points);
-    auto found = inner::gradient(at.surface, at.in(sources), points, options.limit, at.options);
+    auto found = gradient(at.surface, at.in(sources), points, options.limit, at.options);
     return points ? std::move(found) : InputMap(at.mesh).of_vertices(std::move(found));
   });
 }
@@ -697,14 +697,14 @@ std::vector<Tangent> gradient(const Surface& surface, const PointList& sources,
 std::vector<Tangent> transport(const Surface& surface, const PointList& path,
                                const std::vector<Tangent>& vectors) {
   return ask(surface, TaskOptions{},
-             [&](const Asked& at) { return inner::transport(at.surface, at.in(path), vectors); });
+             [&](const Asked& at) { return transport(at.surface, at.in(path), vectors); });
 }
 
 std::vector<Tangent> transport_from(const Surface& surface, const SurfacePoint& from, const Tangent& vector,
                                     const TransportOptions& options) {
   return ask(surface, TaskOptions{Answer::exact, options.progress}, [&](const Asked& at) {
     return InputMap(at.mesh).of_vertices(
-        inner::transport_from(at.surface, at.in(from), vector, options.limit, at.options));
+        transport_from(at.surface, at.in(from), vector, options.limit, at.options));
   });
 }
 
@@ -712,8 +712,8 @@ std::vector<TracedEnd> exp_map(const Surface& surface, const PointList& from,
                                const std::vector<Tangent>& vectors, const ExpMapOptions& options) {
   return ask(surface, TaskOptions{Answer::exact, options.progress}, [&](const Asked& at) {
     std::vector<TracedEnd> out;
-    for (const auto& end : inner::exp_map(at.surface, at.in(from), vectors,
-                                          options.slide ? AtBorder::slide : AtBorder::end, at.options)) {
+    for (const auto& end : exp_map(at.surface, at.in(from), vectors,
+                                   options.slide ? AtBorder::slide : AtBorder::end, at.options)) {
       out.push_back({point_out(at.mesh, end.point), end.length});
     }
     return out;

@@ -13,29 +13,27 @@ std::vector<SurfacePoint> points_along(const Surface& surface, const PointList& 
                                        const std::vector<double>& fractions) {
   return translated([&] {
     const Mesh& mesh = *surface.state().mesh;
-    return points_out(mesh, inner::points_along(mesh, points_in(mesh, path), fractions));
+    return points_out(mesh, points_along(mesh, points_in(mesh, path), fractions));
   });
 }
 
 Path bezier(const Surface& surface, const PointList& points, int samples, const TaskOptions& options) {
   return ask(surface, options, [&](const Asked& at) {
-    return path_out(at.mesh, inner::bezier(at.surface, at.in(points), samples, at.options), at.answered);
+    return path_out(at.mesh, bezier(at.surface, at.in(points), samples, at.options), at.answered);
   });
 }
 
 Path b_spline(const Surface& surface, const PointList& points, bool closed, int levels,
               const TaskOptions& options) {
   return ask(surface, options, [&](const Asked& at) {
-    return path_out(at.mesh, inner::b_spline(at.surface, at.in(points), closed, levels, at.options),
-                    at.answered);
+    return path_out(at.mesh, b_spline(at.surface, at.in(points), closed, levels, at.options), at.answered);
   });
 }
 
 Path spline(const Surface& surface, const PointList& points, bool closed, int samples,
             const TaskOptions& options) {
   return ask(surface, options, [&](const Asked& at) {
-    return path_out(at.mesh, inner::spline(at.surface, at.in(points), closed, samples, at.options),
-                    at.answered);
+    return path_out(at.mesh, spline(at.surface, at.in(points), closed, samples, at.options), at.answered);
   });
 }
 
@@ -76,7 +74,7 @@ Centre geometric_median(const Surface& surface, const PointList& points, const s
 int medoid(const Surface& surface, const PointList& points, const std::vector<double>& weights,
            const TaskOptions& options) {
   return ask(surface, options,
-             [&](const Asked& at) { return inner::medoid(at.surface, at.in(points), weights, at.options); });
+             [&](const Asked& at) { return medoid(at.surface, at.in(points), weights, at.options); });
 }
 
 Clusters k_means(const Surface& surface, int count, const ClusterOptions& options) {

@@ -13,7 +13,7 @@ std::vector<double> signed_distance(const Surface& surface,
                                     const SignedDistanceOptions& options) {
   return ask(surface, TaskOptions{Answer::exact, options.progress}, [&](const Asked& at) {
     return InputMap(at.mesh).of_vertices(
-        inner::signed_distance(at.surface, at.in(curves), options.limit, at.options));
+        signed_distance(at.surface, at.in(curves), options.limit, at.options));
   });
 }
 
@@ -25,21 +25,20 @@ std::vector<double> signed_distance(const Surface& surface, const std::vector<bo
                          std::to_string(surface.state().face_count) + " faces; give one value for each.");
     }
     const std::vector<std::uint8_t> flags(in_region.begin(), in_region.end());
-    return InputMap(at.mesh).of_vertices(
-        inner::signed_distance(at.surface, flags, options.limit, at.options));
+    return InputMap(at.mesh).of_vertices(signed_distance(at.surface, flags, options.limit, at.options));
   });
 }
 
 DistanceGradient distance_gradient(const Surface& surface, const PointList& from, const PointList& to,
                                    const TaskOptions& options) {
   return ask(surface, options, [&](const Asked& at) {
-    return inner::distance_gradient(at.surface, {at.in(from), at.in(to)}, at.options);
+    return distance_gradient(at.surface, {at.in(from), at.in(to)}, at.options);
   });
 }
 
 CutLocus cut_locus(const Surface& surface, const PointList& sources, const CutLocusOptions& options) {
   return ask(surface, TaskOptions{Answer::exact, options.progress}, [&](const Asked& at) {
-    auto found = inner::cut_locus(at.surface, at.in(sources), options.min_angle, options.limit, at.options);
+    auto found = cut_locus(at.surface, at.in(sources), options.min_angle, options.limit, at.options);
     return CutLocus{points_out(at.mesh, found.points), positions_of(at.mesh, found.points),
                     std::move(found.edges), std::move(found.distance), std::move(found.angle)};
   });
@@ -48,8 +47,8 @@ CutLocus cut_locus(const Surface& surface, const PointList& sources, const CutLo
 TextureCoordinates texture_coordinates(const Surface& surface, const SurfacePoint& point, double radius,
                                        const TextureOptions& options) {
   return ask(surface, TaskOptions{Answer::exact, options.progress}, [&](const Asked& at) {
-    auto found = inner::texture_coordinates(at.surface, at.in(point),
-                                            {radius, options.rotation, options.scale}, at.options);
+    auto found =
+        texture_coordinates(at.surface, at.in(point), {radius, options.rotation, options.scale}, at.options);
     const InputMap map(at.mesh);
     return TextureCoordinates{map.of_vertices(std::move(found.coordinates)),
                               map.of_faces(found.stretch, surface.state().face_count, no_stretch)};

@@ -6,8 +6,7 @@
 //     vorogeo::Path path = surface.path(0, surface.snap({1, 2, 3}), {.exact = true});
 //
 // Vertices and faces are numbered from 0 as they were given, in arguments and in results; -1 stands for none.
-// Every function throws the errors declared here and nothing else of its own; each message names the element
-// that is wrong and says what to do.
+// Every function throws the errors of vorogeo/errors.h and nothing else of its own.
 #pragma once
 
 #include <array>
@@ -19,22 +18,15 @@
 #include <limits>
 #include <memory>
 #include <ranges>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "vorogeo/errors.h"
 #include "vorogeo/results.h"
 
-#if defined(__GNUC__)
-#define VOROGEO_API __attribute__((visibility("default")))
-#else
-#define VOROGEO_API
-#endif
-
 namespace vorogeo {
-// Part of the name of every symbol: a program that was compiled with another interface does not link with it.
 inline namespace v0 {
 
 /// Coordinates in space.
@@ -46,34 +38,6 @@ inline constexpr double unreachable = std::numeric_limits<double>::infinity();
 /// Receives the fraction done in [0, 1] and what is being done; returns false to cancel. Called from the
 /// thread that asked.
 using ProgressFunction = std::function<bool(double fraction, const std::string& activity)>;
-
-// ---- Errors
-
-/// Base of all errors of the library.
-class VOROGEO_API Error : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-/// An argument or a mesh that cannot be used.
-class VOROGEO_API InvalidInput : public Error {
- public:
-  using Error::Error;
-};
-/// An index file that is missing, damaged, of another version or of another mesh.
-class VOROGEO_API IndexFileError : public Error {
- public:
-  using Error::Error;
-};
-/// A result that needs more memory than there is.
-class VOROGEO_API NotEnoughMemory : public Error {
- public:
-  using Error::Error;
-};
-/// A progress function returned false; nothing was changed.
-class VOROGEO_API Cancelled : public Error {
- public:
-  using Error::Error;
-};
 
 // ---- Points of a surface
 

@@ -8,12 +8,6 @@
 
 namespace vorogeo {
 
-/// A result that needs more memory than there is; the message says how much, and what to do.
-class NotEnoughMemory : public Error {
- public:
-  using Error::Error;
-};
-
 /// The message for an allocation that failed midway, when nothing more is known.
 inline constexpr const char* out_of_memory_sentence =
     "There is not enough memory for this computation on this mesh. Close other programs, use fewer threads, "

@@ -44,12 +44,12 @@ cmake --build "$out/build-shared" --parallel "$jobs" --target vorogeo
 cmake --install "$out/build-shared" --prefix "$out/shared"
 for kind in static shared; do
   (cd "$out/$kind" && find . -type f -o -type l | sort) >"$out/$kind.txt"
-  for file in include/vorogeo.h include/vorogeo/results.h include/vorogeo/vcg.h share/doc/vorogeo/LICENSE share/doc/vorogeo/VERSION; do
+  for file in include/vorogeo.h include/vorogeo/{errors,results,vcg}.h share/doc/vorogeo/LICENSE share/doc/vorogeo/VERSION; do
     [ -s "$out/$kind/$file" ] || die "there is no $file in the $kind prefix"
   done
 done
 headers="$(find "$out/static/include" -type f | wc -l)"
-[ "$headers" = 3 ] || die "$headers headers are installed, not vorogeo.h, vorogeo/results.h and vorogeo/vcg.h alone"
+[ "$headers" = 4 ] || die "$headers headers are installed, not vorogeo.h and three in vorogeo/ alone"
 
 echo "--- what the libraries hold"
 library="$(find "$out/shared" -name libvorogeo.so)"
