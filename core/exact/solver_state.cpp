@@ -567,12 +567,17 @@ bool ExactSolver::State::was_passed(const Window& window) {
   // An edge that more points lie on is one of a heap of faces without width all along, whose vertices pass on
   // what they are reached by themselves.
   constexpr std::size_t max_points = 64;
-  const PassedPoint here{window.source_x, window.offset + window.source_y};
+  // Of rays that reach the edge at their vertex's place or beside it, those to a side pass a part that lies
+  // there.
+  auto has_rays = [&](double part) { return part > 0.0 && window.source_y <= sector_tolerance * part; };
+  const PassedPoint here{window.source_x, window.offset + window.source_y,
+                         has_rays(window.source_x - window.begin), has_rays(window.end - window.source_x)};
   const Index edge = mesh.edge_of(window.entry());
   const double scale = geometry->scale_at(edge, here.x, here.distance, mesh.edge_length(edge));
   const double rounding = 1e-12 * (here.distance + scale);
   auto covers = [rounding](const PassedPoint& point, const PassedPoint& other) {
-    return point.distance + std::abs(other.x - point.x) <= other.distance + rounding;
+    return point.before >= other.before && point.behind >= other.behind &&
+           point.distance + std::abs(other.x - point.x) <= other.distance + rounding;
   };
   std::vector<PassedPoint>& points = points_passed[window.entry()];
   if (std::ranges::any_of(points, [&](const PassedPoint& point) { return covers(point, here); })) return true;

@@ -215,9 +215,9 @@ struct ExactSolver::State {
   /// longer than a point, whose rays nevertheless fill the shadow behind the vertex.
   void pass_through(const Window& window);
   /// Whether rays from another vertex on the same line have crossed the edge of the window, from the same
-  /// face, at a place from which its own vertex is reached along the edge no later: those cover all that is
-  /// behind. Otherwise notes its place. So a heap of faces without width is crossed once, not by each of its
-  /// vertices.
+  /// face, to the same sides, at a place from which its own vertex is reached along the edge no later: those
+  /// cover all that is behind. Otherwise notes its place. So a heap of faces without width is crossed once,
+  /// not by each of its vertices.
   bool was_passed(const Window& window);
   /// Cuts off what the end vertices of the open edge reach no later; false if nothing is left.
   bool cut_at_ends(Window& window, double& at_begin, double& at_end) const;
@@ -347,6 +347,8 @@ struct ExactSolver::State {
   struct PassedPoint {
     double x;
     double distance;
+    bool before;  ///< its rays go to the side of the edge's first vertex as well,
+    bool behind;  ///< and to that of the second
   };
   std::unordered_map<Index, std::vector<PassedPoint>> points_passed;  ///< by the half-edge of entry
   /// Merges neighbouring windows of `crossing` where merge_tolerance allows it (solver_state.cpp).

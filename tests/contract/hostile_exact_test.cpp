@@ -203,23 +203,31 @@ TEST(ExactFieldContract, VerticesInAnyOrderHaveTheSameDistances) {
   const unsigned random_seed = std::random_device{}();
   SCOPED_TRACE("seed " + std::to_string(random_seed));
   std::mt19937 random(random_seed);
-  // A source on top of a vertex: its rays that pass beside that one hardly leave the long edges there.
-  const test::Soup soup = test::hostile_mesh(4000001412, 60).soup;
-  const auto mesh = test::make_mesh(soup);
-  const std::vector<double> expected = exact_distance_field(mesh, std::array{Index{91}});
-  const double tight = test::SubdividedGraph(soup, 91, 3).tightened(16);
-  EXPECT_NEAR(expected[16], tight, slack(*mesh, tight));
-  std::vector<Index> place(soup.positions.size());
-  std::iota(place.begin(), place.end(), 0);
-  for (int i = 0; i < 20; ++i) {
-    std::ranges::shuffle(place, random);
-    const auto other = test::make_mesh(test::renumbered(soup, place));
-    const std::vector<double> field = exact_distance_field(other, std::array{place[91]});
-    for (Index v = 0; v < mesh->vertex_count(); ++v) {
-      if (expected[v] == unreachable) continue;
-      EXPECT_NEAR(field[place[v]], expected[v], slack(*mesh, expected[v])) << v;
+  auto field_in_any_order = [&](const test::Soup& soup, Index source) {
+    const auto mesh = test::make_mesh(soup);
+    const std::vector<double> expected = exact_distance_field(mesh, std::array{source});
+    std::vector<Index> place(soup.positions.size());
+    std::iota(place.begin(), place.end(), 0);
+    for (int i = 0; i < 20; ++i) {
+      std::ranges::shuffle(place, random);
+      const auto other = test::make_mesh(test::renumbered(soup, place));
+      const std::vector<double> field = exact_distance_field(other, std::array{place[source]});
+      for (Index v = 0; v < mesh->vertex_count(); ++v) {
+        if (expected[v] == unreachable) continue;
+        EXPECT_NEAR(field[place[v]], expected[v], slack(*mesh, expected[v])) << v;
+      }
     }
-  }
+    return expected;
+  };
+  // A source on top of a vertex: its rays that pass beside that one hardly leave the long edges there.
+  const test::Soup on_top = test::hostile_mesh(4000001412, 60).soup;
+  const double tight = test::SubdividedGraph(on_top, 91, 3).tightened(16);
+  EXPECT_NEAR(field_in_any_order(on_top, 91)[16], tight, 1e-9 * tight);
+  // Two vertices at one place, 5e-12 of an edge beside a third that lies on an edge of a flat face: their
+  // rays to one side of it are not all that pass there. The line is straight.
+  const test::Soup beside = test::hostile_mesh(4290001895, 12).soup;
+  const double straight = distance_between(beside.positions[82], beside.positions[23]);
+  EXPECT_NEAR(field_in_any_order(beside, 82)[23], straight, 1e-9 * straight);
 }
 
 TEST(ExactFieldContract, AFanOfNeedlesThatIsCutAndJoinedIsNotCrossedAgainAndAgain) {
