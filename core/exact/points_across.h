@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <tuple>
+#include <utility>
 
 #include "exact/refraction.h"
 #include "mesh/mesh.h"
@@ -93,6 +95,29 @@ class PointsAcross {
     const FaceNorms::Place place{side.x + t * side.step[0], t * side.step[1]};
     if constexpr (!one_way) return {point, place, side.direction, side.dearer, 0.0, 0.0};
     return {point, place, side.direction, side.dearer, side.shift, side.drift + t * side.drift_step};
+  }
+  /// Calls `visit` with the numbers of the points that lie beside a part of the side that is crossed, in a
+  /// face without height.
+  template <typename Visit>
+  void for_each_beside(double low, double high, Visit&& visit) const {
+    for (const Side& side : side_) {
+      double from = 0.0;
+      double to = 1.0;
+      if (side.step[0] != 0.0) {
+        std::tie(from, to) = std::minmax({(low - side.x) / side.step[0], (high - side.x) / side.step[0]});
+      } else if (side.x < low || side.x > high) {
+        continue;
+      }
+      if (side.from_apex) std::tie(from, to) = std::pair(1.0 - to, 1.0 - from);
+      const auto first = std::ranges::lower_bound(side.fractions, from);
+      const auto last = std::ranges::upper_bound(side.fractions, to);
+      for (auto at = first; at < last; ++at) {
+        const auto along = static_cast<Index>(at - side.fractions.begin()) + 1;
+        const Index k = side.from_apex ? side.pieces - along : along;
+        visit(&side == &side_[0] ? k : side_[0].pieces + side.pieces - k);
+      }
+    }
+    if (apex_[0] >= low && apex_[0] <= high) visit(side_[0].pieces);
   }
   /// Where a ray from a source through a point of the side meets the other two, between their numbers.
   double position(const FaceNorms::Place& source, double crossing) const {

@@ -6,10 +6,12 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
 #include "mesh/mesh.h"
+#include "mesh/vectors.h"
 #include "support/error.h"
 #include "support/progress.h"
 
@@ -30,9 +32,10 @@ constexpr double very_different_cost = 10.0;
 /// Faces of a seam or at a T-junction, behind which waves should stay smooth.
 constexpr std::size_t small_fan = 8;
 
-/// No edge has fewer points than this part of the usual ones, nor more than so many.
+/// No edge has fewer points than this part of the usual ones, nor all in the mean more than so many times
+/// these.
 constexpr Index per_fewest = 2;
-constexpr double most_points = 20000.0;
+constexpr double most_in_mean = 8.0;
 constexpr double most_points_of_all = 2e9;
 
 /// How densely an edge should have points: as the root of the size of what is near. Sizes are known at a few
@@ -103,16 +106,16 @@ FaceNorms::FaceNorms(std::shared_ptr<const Mesh> mesh, Index points_per_edge) : 
   for (Index f = 0; f < mesh_->face_count(); ++f) {
     if (f % elements_per_checkpoint == 0) checkpoint();
     const auto side = mesh_->side_lengths(f);
-    const double along = side[2];
-    double x = side[1];
-    double y = 0.0;
-    if (along > 0.0) {
-      x = 0.5 * (along + (side[1] - side[0]) * (side[1] + side[0]) / along);
-      y = std::sqrt(std::max(0.0, (side[1] - x) * (side[1] + x)));
+    auto corner = mesh_->corners_by_lengths(f);
+    if (is_flat_triangle(side)) {
+      for (Point& at : corner) at[1] = 0.0;
     }
-    const double own_longest = std::max({side[0], side[1], side[2]});
-    if (along * y <= no_height * own_longest * own_longest) y = 0.0;
-    layout_.push_back({along, x, y});
+    const Point first = minus(corner[1], corner[0]);
+    const Point second = minus(corner[2], corner[0]);
+    const double along = length_of(first);
+    const Point unit = along > 0.0 ? moved({}, 1.0 / along, first) : Point{1.0, 0.0, 0.0};
+    layout_.push_back({along, dot(unit, second), std::abs(cross(unit, second)[2])});
+    const double own_longest = std::ranges::max(side);
     longest = std::max(longest, own_longest);
   }
   find_thin_fans();
@@ -159,13 +162,15 @@ void FaceNorms::place_points(Index per_edge) {
     if (weights[c].empty()) continue;
     const auto median = weights[c].begin() + static_cast<std::ptrdiff_t>(weights[c].size() / 2);
     std::ranges::nth_element(weights[c], median);
-    scale[c] = per_edge / *median;
+    const double sum = std::accumulate(weights[c].begin(), weights[c].end(), 0.0);
+    scale[c] =
+        per_edge * std::min(1.0 / *median, most_in_mean * static_cast<double>(weights[c].size()) / sum);
   }
   const double fewest = std::max<Index>(1, per_edge / per_fewest);
   first_point_.reserve(edges + 1);
   first_point_.push_back(mesh_->vertex_count());
   for (const Index e : checked(edges)) {
-    const double count = std::clamp(std::round(weight[e] * scale[component_of(e)]), fewest, most_points);
+    const double count = std::max(std::round(weight[e] * scale[component_of(e)]), fewest);
     if (first_point_.back() + count > most_points_of_all) {
       throw InvalidInput("There are too many points on edges: give fewer for each edge, or a smaller mesh.");
     }
@@ -240,11 +245,11 @@ EdgeFrame FaceNorms::frame(Index halfedge) const {
   const Place side{apex[0] - first[0], apex[1] - first[1]};
   const double to_apex = std::sqrt(side[0] * side[0] + side[1] * side[1]);
   // The direction of a side that is no more than rounding is unknown.
-  if (!(frame.length > length_rounding * to_apex)) {
+  if (!(frame.length > length_rounding * to_apex && apart(tail, head) > 0.0)) {
     frame.apex_y = to_apex;
     return frame;
   }
-  const double scale = (frame.along ? 1.0 : -1.0) / frame.length;
+  const double scale = (frame.along ? 1.0 : -1.0) / apart(tail, head);
   const Place unit{(head[0] - tail[0]) * scale, (head[1] - tail[1]) * scale};
   frame.apex_x = side[0] * unit[0] + side[1] * unit[1];
   frame.apex_y = std::abs(side[1] * unit[0] - side[0] * unit[1]);

@@ -17,10 +17,6 @@ namespace vorogeo {
 
 // ---- Faces laid into the plane by sides of their own, and points along their edges
 
-/// Heights below this part of a face's longest side are rounding: the height of three points on a line is the
-/// root of a difference of rounded squares.
-inline constexpr double no_height = 1e-7;
-
 /// A face laid beside one of its edges: the edge on the x axis from its first vertex on, the apex above it.
 struct EdgeFrame {
   double length = 0.0;  ///< of the edge, in this face
@@ -237,6 +233,20 @@ class FaceBeam {
     const double sum = std::sqrt((x - x_) * (x - x_) + (y - y_) * (y - y_)) + radius_;
     return (sum > 0.0 ? wave_.distance + change / sum : wave_.distance) + drift;
   }
+  /// What is known at another place of the side, less the face's drift from the wave's point to there. Where
+  /// a wave would have to be nearer by more than `slack`, its curvature is not known so far from its point.
+  void keep_above(double place, double distance, double slack) {
+    known_at_ = place;
+    known_ = distance;
+    slack_ = slack;
+  }
+  /// The distance by a ray, or the least one that what is known allows where it passes the side.
+  double kept_above(double distance, double crossing, double x, double y, double drift = 0.0) const {
+    const double way = known_at_ - crossing;
+    const double least = known_ - std::abs(way) / dearer_ + shift_ * way +
+                         std::sqrt((x - crossing) * (x - crossing) + y * y) + drift;
+    return distance < least - slack_ ? least : distance;
+  }
   bool has(double crossing) const { return crossing >= low_ && crossing <= high_; }
   /// Of the ray that passes the side there.
   FaceNorms::Place source(double crossing) const {
@@ -266,6 +276,9 @@ class FaceBeam {
   double radius_ = 0.0;
   double x_ = 0.0;  ///< of the source
   double y_ = 0.0;  ///< at most 0
+  double known_at_ = 0.0;
+  double known_ = -unreachable;
+  double slack_ = 0.0;
 };
 
 }  // namespace vorogeo

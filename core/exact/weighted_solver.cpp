@@ -23,6 +23,9 @@ constexpr double gain_to_settle = 1e-9;
 /// How often a point is settled; in practice none is so often.
 constexpr std::uint8_t most_times = 100;
 
+/// Of a piece: what the waves of two points may differ by between them.
+constexpr double spare = 0.1;
+
 }  // namespace
 
 WeightedSolver::WeightedSolver(std::shared_ptr<const FaceNorms> norms)
@@ -71,7 +74,7 @@ void WeightedSolver::reach(Index point, const Arrival& arrival) {
   if (state.distance == unreachable) touched_.push_back(point);
   state.distance = arrival.distance;
   state.slope = std::clamp(arrival.slope, -1.0, 1.0);
-  state.radius = std::min(arrival.radius, flattest * arrival.distance);
+  state.radius = std::min(arrival.radius, flattest * std::abs(arrival.distance));
   state.from = arrival.from;
   state.face = arrival.face;
   state.bends = arrival.bends;
@@ -445,42 +448,49 @@ void WeightedSolver::cross(Index halfedge, Index from) {
                      refracted_radius(radius, at_side, false)});
   };
   struct Rays {
-    double first, last;  ///< where they meet the other sides
+    double first = 0.0, last = 0.0;  ///< where they meet the other sides
   };
   // The wave of point k where it passes between two places of the side, the first one lower.
-  auto send = [&](Index k, double low, double high) {
-    const FaceBeam beam(wave_at<one_way>(edge, k), place(k), dearer, low, high, frame.shift);
+  auto send = [&](Index k, Index other, double low, double high) {
+    FaceBeam beam(wave_at<one_way>(edge, k), place(k), dearer, low, high, frame.shift);
+    const double part = norms_->fraction(edge, other) - norms_->fraction(edge, k);
+    beam.keep_above(place(other), state_[norms_->point(edge, other)].distance - part * frame.drift,
+                    spare * std::abs(part) * cost);
     const double gained = one_way ? norms_->fraction(edge, k) * frame.drift : 0.0;
-    Rays rays{0.0, across.count() + 1.0};
-    if (!is_flat)
-      rays = {across.position(beam.source(beam.low()), beam.low()),
-              across.position(beam.source(beam.high()), beam.high())};
-    const auto begin = std::max<Index>(1, static_cast<Index>(std::ceil(rays.first)));
-    const auto end = std::min<Index>(across.count(), static_cast<Index>(std::floor(rays.last)));
-    for (Index number = begin; number <= end; ++number) {
+    auto meet = [&](Index number) {
       const PointAcross to = across.at(number);
       const auto& [x, y] = to.place;
       const double drift = one_way ? to.drift - gained : 0.0;
       const double at = beam.crossing(x, y);
-      if (is_flat && !beam.has(at)) continue;
       const double distance = beam.distance(at, x, y, drift);
-      if (distance < state_[to.point].distance) arrive(k, to, distance, beam.source(at));
+      if (!(distance < state_[to.point].distance)) return;
+      const double kept = beam.kept_above(distance, at, x, y, drift);
+      if (!(kept < state_[to.point].distance)) return;
+      arrive(k, to, kept, kept > distance ? FaceNorms::Place{at, 0.0} : beam.source(at));
+    };
+    if (is_flat) {
+      across.for_each_beside(low, high, meet);
+      return Rays{};
     }
+    const Rays rays{across.position(beam.source(low), low), across.position(beam.source(high), high)};
+    const auto begin = std::max<Index>(1, static_cast<Index>(std::ceil(rays.first)));
+    const auto end = std::min<Index>(across.count(), static_cast<Index>(std::floor(rays.last)));
+    for (Index number = begin; number <= end; ++number) meet(number);
     return rays;
   };
   // From the point itself, where no wave passes.
-  auto fan = [&](Index k, double first, double second) {
-    const PointState& own = state_[norms_->point(edge, k)];
+  auto start = [&](Index k, Index number) {
     const FaceNorms::Place source{place(k), 0.0};
-    const double gained = one_way ? norms_->fraction(edge, k) * frame.drift : 0.0;
+    const PointAcross to = across.at(number);
+    const double drift = one_way ? to.drift - norms_->fraction(edge, k) * frame.drift : 0.0;
+    const double distance =
+        state_[norms_->point(edge, k)].distance + FaceNorms::apart(source, to.place) + drift;
+    if (distance < state_[to.point].distance) arrive(k, to, distance, source);
+  };
+  auto fan = [&](Index k, double first, double second) {
     const auto begin = std::max<Index>(1, static_cast<Index>(std::ceil(first)));
     const auto end = std::min<Index>(across.count(), static_cast<Index>(std::floor(second)));
-    for (Index number = begin; number <= end; ++number) {
-      const PointAcross to = across.at(number);
-      const double length = FaceNorms::apart(source, to.place);
-      const double distance = own.distance + (one_way ? length + (to.drift - gained) : length);
-      if (distance < state_[to.point].distance) arrive(k, to, distance, source);
-    }
+    for (Index number = begin; number <= end; ++number) start(k, number);
   };
 
   for (const Index beside : {from - 1, from + 1}) {
@@ -492,13 +502,16 @@ void WeightedSolver::cross(Index halfedge, Index from) {
     const WaveParts parts = parts_of<one_way>(edge, first);
     Rays until{-1.0, -1.0};
     Rays then{-1.0, -1.0};
-    if (enters(first)) until = send(first, begin, std::lerp(begin, end, parts.first_until));
-    if (enters(first + 1)) then = send(first + 1, std::lerp(begin, end, parts.second_from), end);
+    if (enters(first)) until = send(first, first + 1, begin, std::lerp(begin, end, parts.first_until));
+    if (enters(first + 1)) then = send(first + 1, first, std::lerp(begin, end, parts.second_from), end);
     if (!enters(first) || !enters(first + 1) || is_flat) continue;
     fan(first, until.last, then.first);
     fan(first + 1, until.last, then.first);
   }
-  if (own_enters && is_flat) fan(from, 0.0, across.count() + 1.0);
+  // To those farther along, it costs no more along the side.
+  if (own_enters && is_flat) {
+    across.for_each_beside(place(from - 1), place(from + 1), [&](Index number) { start(from, number); });
+  }
 }
 
 // ---- Paths back through the distances, edge by edge, and their refraction
@@ -507,9 +520,6 @@ namespace {
 
 /// Of a distance: what rounding leaves.
 constexpr double same_distance = 1e-12;
-
-/// Of a piece: what the waves of two points may differ by between them.
-constexpr double spare = 0.1;
 
 }  // namespace
 
@@ -555,11 +565,17 @@ WeightedSolver::BackStep WeightedSolver::step_into(Index face, const std::array<
         if (end == 0 || end == last || !passes(norms_->point(edge, end), face)) continue;
         const double low = begin + (end == k ? 0.0 : parts.second_from) * piece;
         const double high = begin + (end == k ? parts.first_until : 1.0) * piece;
-        const FaceBeam beam(wave_at<true>(edge, end), norms_->fraction(edge, end) * frame.length, dearer, low,
-                            high, frame.shift);
+        const Index other = end == k ? k + 1 : k;
+        FaceBeam beam(wave_at<true>(edge, end), norms_->fraction(edge, end) * frame.length, dearer, low, high,
+                      frame.shift);
+        const double part = norms_->fraction(edge, other) - norms_->fraction(edge, end);
+        beam.keep_above(norms_->fraction(edge, other) * frame.length,
+                        state_[norms_->point(edge, other)].distance - part * frame.drift,
+                        spare * std::abs(part) * cost);
         const double crossing = beam.crossing(x, y);
         if (!beam.has(crossing)) continue;
-        take(beam.distance(crossing, x, y, drift_from(end)), end,
+        const double drift = drift_from(end);
+        take(beam.kept_above(beam.distance(crossing, x, y, drift), crossing, x, y, drift), end,
              frame.length > 0.0 ? std::clamp(crossing / frame.length, 0.0, 1.0) : 0.0);
       }
     }

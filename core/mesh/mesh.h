@@ -180,6 +180,7 @@ class Mesh {
     const auto& [a, b, c] = face_vertices_[face];
     return has_metric_ ? corners_by_lengths(face) : std::array{positions_[a], positions_[b], positions_[c]};
   }
+  std::array<Point, 3> corners_by_lengths(Index face) const;
   /// Each opposite its corner.
   std::array<double, 3> side_lengths(Index face) const;
   /// Length of an edge in the face of one of its half-edges.
@@ -280,7 +281,6 @@ class Mesh {
   void sort_fans();
   Fan sort_fan(Index vertex, std::vector<Index>& chain);
   double angle_around(Index vertex) const;
-  std::array<Point, 3> corners_by_lengths(Index face) const;
   void find_components();
   void find_jumps();
 

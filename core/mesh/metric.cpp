@@ -489,8 +489,6 @@ SideLengths sides_by_face_tensor(std::span<const Point> positions,
 
 SideLengths drifts_by_face(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
                            const SideLengths& sides, std::span<const Point> drifts) {
-  // The sides of a needle do not determine its height.
-  constexpr long double least_area = 1e-10L;
   require_one_for_each(drifts.size(), "drifts", faces.size(), "faces");
   SideLengths along(faces.size(), {0.0, 0.0, 0.0});
   for (std::size_t f = 0; f < faces.size(); ++f) {
@@ -508,27 +506,19 @@ SideLengths drifts_by_face(std::span<const Point> positions, std::span<const std
       gain[i] = w[0] * side[0] + w[1] * side[1] + w[2] * side[2];
       along[f][i] = static_cast<double>(gain[i]);
     }
-    // Of the sides from corner 0 to corners 1 and 2.
-    const std::array<long double, 3> side{sides[f][0], sides[f][1], sides[f][2]};
-    const long double aa = side[2] * side[2];
-    const long double bb = side[1] * side[1];
-    const long double ab = 0.5L * (aa + bb - side[0] * side[0]);
-    const long double area = aa * bb - ab * ab;
-    if (!(area > least_area * aa * bb)) {
-      // There is no room for a drift across: it is that along the longest side, at the foot of the apex.
-      const auto longest = static_cast<int>(std::ranges::max_element(side) - side.begin());
-      const int next = (longest + 1) % 3, before = (longest + 2) % 3;
-      if (!(side[longest] > 0.0L)) continue;
-      const long double long_squared = side[longest] * side[longest];
-      const long double foot = std::clamp(
-          (long_squared + side[before] * side[before] - side[next] * side[next]) / (2.0L * long_squared),
-          0.0L, 1.0L);
-      along[f][before] = static_cast<double>(-foot * gain[longest]);
-      along[f][next] = -along[f][longest] - along[f][before];
-      continue;
-    }
-    const long double squared =
-        (bb * gain[2] * gain[2] + 2.0L * ab * gain[2] * gain[1] + aa * gain[1] * gain[1]) / area;
+    // What no height determines is given up to no height.
+    if (is_flat_triangle(sides[f])) continue;
+    // Of the shortest side and another from the same corner: the products of both long sides of a needle
+    // differ by rounding.
+    const auto first = std::ranges::min_element(sides[f]) - sides[f].begin();
+    const auto second = (first + 2) % 3;
+    const std::array<long double, 3> side{sides[f][first], sides[f][(first + 1) % 3], sides[f][second]};
+    const long double aa = side[0] * side[0];
+    const long double bb = side[2] * side[2];
+    const long double ab = 0.5L * (aa + (side[2] - side[1]) * (side[2] + side[1]));
+    const long double squared = (bb * gain[first] * gain[first] + 2.0L * ab * gain[first] * gain[second] +
+                                 aa * gain[second] * gain[second]) /
+                                (aa * bb - ab * ab);
     if (!(squared < 1.0L)) {
       refuse("has the norm " + std::to_string(static_cast<double>(std::sqrt(squared))) +
              " in the lengths of the face: some step would cost nothing or less; give one below 1.");

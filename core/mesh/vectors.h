@@ -41,6 +41,16 @@ inline double twice_area(std::array<double, 3> sides) {
   return 0.5 * std::sqrt(std::max(0.0, square));
 }
 
+/// The height of a triangle is the root of a difference of rounded squares: if it is less than this part of
+/// the geometric mean of the shortest and the longest side, it is rounding.
+inline constexpr double no_height = 1e-7;
+
+/// Whether the corners of a triangle with these sides lie on one line, as far as sides can tell.
+inline bool is_flat_triangle(const std::array<double, 3>& sides) {
+  const auto [shortest, longest] = std::ranges::minmax(sides);
+  return !(twice_area(sides) > no_height * longest * std::sqrt(shortest * longest));
+}
+
 // ---- Distance across an edge whose two faces are unfolded into one plane
 
 /// Distance across an edge of the given length from a source at distances (source_a, source_b) of its ends to

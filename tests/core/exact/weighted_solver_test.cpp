@@ -352,6 +352,32 @@ TEST(WeightedThin, FansOfNeedlesEnd) {
   }
 }
 
+TEST(WeightedThin, ANeedleCostsItsLengthWhicheverSideItsFaceBeginsWith) {
+  // Needles on the short sides of a triangle, up to one tip: by the sides, their height is a 1e-9th.
+  const double tip = 5.7e8;
+  const std::vector<Point> positions{{0, 0, 0}, {1, 0, 0}, {0.3, 0.9, 0}, {0.2, 0.1, tip}};
+  const std::vector<double> cost{1.5, 1.3, 1.7, 1.4};
+  for (int turn = 0; turn < 3; ++turn) {
+    std::vector<std::array<Index, 3>> faces{{0, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}};
+    for (auto& face : faces) std::ranges::rotate(face, face.begin() + turn);
+    WeightedSolver solver = test::solver_of(test::with_costs({positions, faces}, cost));
+    solver.run_from_vertices(std::array<Index, 1>{0});
+    EXPECT_NEAR(solver.distance(3), 1.3 * tip, 1e-6 * tip) << turn;
+    EXPECT_NEAR(solver.distance(1), 1.3, 0.02) << turn;
+  }
+}
+
+TEST(WeightedThin, PointsAreInTheMeanAsManyAsAnEdgeIsToHoldWhereverThereIsATinyFace) {
+  for (const double tiny : {1e-3, 1e-9, 1e-15}) {
+    const std::vector<Point> positions{{0, 0, 0},     {1, 0, 0},     {0, 1, 0},
+                                       {-tiny, 0, 0}, {0, -tiny, 0}, {-tiny, -tiny, 0}};
+    const std::vector<std::array<Index, 3>> faces{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {3, 5, 4}, {0, 4, 1}};
+    const WeightedSolver solver = test::solver_of(test::with_costs({positions, faces}, {1, 2, 3, 2, 1}));
+    const FaceNorms norms(test::with_costs({positions, faces}, {1, 2, 3, 2, 1}), 6);
+    EXPECT_LE(norms.point_count() - 6, 10 * 6 * solver.mesh().edge_count()) << tiny;
+  }
+}
+
 TEST(WeightedThin, CostsFarApartBesideTJunctionsLeaveAllPaths) {
   const test::Soup soup = test::plane_with_closed_t_junctions();
   for (const auto& [ratio, seed] : {std::pair{1e4, 1U}, {1e4, 18U}, {1e6, 1U}}) {
