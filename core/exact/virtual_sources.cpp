@@ -131,16 +131,19 @@ void VirtualSources::take(const FaceSource& found, double distance, double reach
 
 /// Starts in a face that holds the point with these weights.
 void VirtualSources::start_in(Index face, const std::array<double, 3>& weights, double offset, Index id) {
-  const auto [edge, apex, tail, head, opposite] = over(records_[face], 0);
+  // Over its longest side: over one of next to no length, the place of the apex would be rounding.
+  const FaceRecord& record = records_[face];
+  const auto side = static_cast<int>(std::ranges::max_element(record.length) - record.length.begin());
+  const auto [edge, apex, tail, head, opposite] = over(record, side);
   FaceSource found;
-  found.at = {weights[1] * edge + weights[2] * apex[0], weights[2] * apex[1]};
+  const double at_apex = weights[(side + 2) % 3];
+  found.at = {weights[(side + 1) % 3] * edge + at_apex * apex[0], at_apex * apex[1]};
   found.sigma = offset;
-  found.base = 3 * face;
+  found.base = 3 * face + side;
   found.source = id;
-  const PlanePoint corners[3] = {{0.0, 0.0}, {edge, 0.0}, apex};
-  for (int i = 0; i < 3; ++i) {
-    reach_vertex(mesh_->face_vertices(face)[i], offset + between(found.at, corners[i]), id);
-  }
+  reach_vertex(tail, offset + between(found.at, {0.0, 0.0}), id);
+  reach_vertex(head, offset + between(found.at, {edge, 0.0}), id);
+  reach_vertex(opposite, offset + between(found.at, apex), id);
   const double distance = offset + between(found.at, {(edge + apex[0]) / 3.0, apex[1] / 3.0});
   if (is_nearer(face, distance)) take(found, distance, std::max(edge, apex[1]));
 }

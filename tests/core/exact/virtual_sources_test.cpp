@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/error.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
@@ -43,15 +45,22 @@ TEST(VirtualSources, GoRoundTheEndsOfASlit) {
 
 TEST(VirtualSources, PassAnEdgeOfNoLengthThatAloneLeadsOn) {
   // Two faces, one on each side of an edge that is too short to have a direction: 1 to it, 2 behind.
-  test::Soup soup;
-  soup.positions = {{0.0, 0.0, 0.0}, {1e-15, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, -2.0, 0.0}};
-  soup.faces = {{0, 1, 2}, {1, 0, 3}};
-  VirtualSources runs(test::make_mesh(soup));
-  const ExactSource source{SurfacePoint::at_vertex(2)};
-  runs.run({&source, 1});
-  EXPECT_NEAR(runs.distance(0), 1.0, 1e-14);
-  EXPECT_NEAR(runs.distance(1), 1.0, 1e-14);
-  EXPECT_NEAR(runs.distance(3), 3.0, 1e-14);
+  for (int turn = 0; turn < 3; ++turn) {
+    test::Soup soup;
+    soup.positions = {{0.0, 0.0, 0.0}, {1e-15, 0.0, 0.0}, {0.6, 0.8, 0.0}, {-1.2, -1.6, 0.0}};
+    soup.faces = {{0, 1, 2}, {1, 0, 3}};
+    for (auto& face : soup.faces) std::ranges::rotate(face, face.begin() + turn);
+    VirtualSources runs(test::make_mesh(soup));
+    const ExactSource source{SurfacePoint::at_vertex(2)};
+    runs.run({&source, 1});
+    EXPECT_NEAR(runs.distance(0), 1.0, 1e-14);
+    EXPECT_NEAR(runs.distance(1), 1.0, 1e-14);
+    EXPECT_NEAR(runs.distance(3), 3.0, 1e-14);
+    const ExactSource end{SurfacePoint::at_vertex(0)};
+    runs.run({&end, 1});
+    EXPECT_NEAR(runs.distance(2), 1.0, 1e-14);
+    EXPECT_NEAR(runs.distance(3), 2.0, 1e-14);
+  }
 }
 
 TEST(VirtualSources, AreWithinThreeTenthsOfAPercentOnSmoothSurfaces) {
