@@ -34,7 +34,7 @@ def field(task: MeshTask) -> Result:
 
 def distance(task: MeshTask) -> Result:
     """Distances of pairs; one source may have many targets, or one target many sources."""
-    values = task.surface.distances(*_ends(task), progress=task.progress, method=task.method, dtype=task.dtype)
+    values = task.surface.distances(*_ends(task), dtype=task.dtype, **task.how)
     text = "\n".join(f"{value:.12g}" for value in values.tolist())
     return Result("distance", {"distance": values}, task.shown_mesh, text=text, summary={"distance": values})
 
@@ -63,9 +63,8 @@ def matrix(task: MeshTask) -> Result:
         others,
         entries=task.options.get("method") or "automatic",
         out=task.job.out if direct else None,
-        progress=task.progress,
-        method=task.method,
         dtype=task.dtype,
+        **task.how,
     )
     text = f"{values.shape[0]} x {values.shape[1]} distances, {values.dtype}, {values.nbytes / 1e6:.4g} MB"
     summary = {"shape": values.shape, "bytes": values.nbytes}
@@ -75,9 +74,7 @@ def matrix(task: MeshTask) -> Result:
 def neighbours(task: MeshTask) -> Result:
     """All pairs within a radius, as a sparse matrix."""
     points = task.points("points") if task.options.get("points") else np.arange(len(task.vertices))
-    found = task.surface.pairs_within(
-        points, task.options["radius"], progress=task.progress, method=task.method, dtype=task.dtype
-    )
+    found = task.surface.pairs_within(points, task.options["radius"], dtype=task.dtype, **task.how)
     if not hasattr(found, "tocoo"):
         raise InvalidInput("Sparse matrices are written by scipy; run 'pip install scipy'.")
     text = f"{found.nnz} entries, {found.nnz / max(1, found.shape[0]):.4g} for each point"
@@ -87,7 +84,7 @@ def neighbours(task: MeshTask) -> Result:
 def voronoi(task: MeshTask) -> Result:
     """The nearest point of every vertex and face, and areas of the regions."""
     sources, to = task.sources()
-    found = task.surface.voronoi(sources, method=task.method, progress=task.progress, to=to)
+    found = task.surface.voronoi(sources, to=to, **task.how)
     arrays: dict[str, NDArray[Any]] = {
         "vertex_region": found.vertex_region,
         "face_region": found.face_region,
@@ -108,12 +105,10 @@ def sample(task: MeshTask) -> Result:
     if task.options.get("method") == "poisson":
         if radius is None:
             raise InvalidInput("--radius: is missing; Poisson-disk sampling needs the least distance of two samples.")
-        ids = task.surface.sample_poisson_disk(radius, seed, method=task.method, progress=task.progress)
+        ids = task.surface.sample_poisson_disk(radius, seed, **task.how)
         radius, covered = None, ""
     else:
-        found = task.surface.sample_farthest(
-            task.options.get("count"), radius or 0.0, seed=seed, method=task.method, progress=task.progress
-        )
+        found = task.surface.sample_farthest(task.options.get("count"), radius or 0.0, seed=seed, **task.how)
         ids, radius = found.vertices, found.covering_radius
         covered = f", every vertex within {radius:.6g} of one"
     points = task.file_vertices[ids]
@@ -134,20 +129,18 @@ def _path_through(task: MeshTask) -> GeodesicPath:
         task.points("points"),
         closed=bool(task.options.get("closed")),
         guides=bool(task.options.get("guides")),
-        method=task.method,
-        progress=task.progress,
+        **task.how,
     )
 
 
 def loop(task: MeshTask) -> Result:
     """The shortest loop through a point, or a closed curve pulled tight."""
     curve = task.points("curve") if task.options.get("curve") else None
-    how: dict[str, Any] = {"method": task.method, "progress": task.progress}
     if task.options.get("at"):
-        return lines_of(task, [task.surface.shortest_loop(task.points("at"), curve, **how)])
+        return lines_of(task, [task.surface.shortest_loop(task.points("at"), curve, **task.how)])
     if curve is None:
         raise InvalidInput("--at: is missing; name the point that the loop goes through, or a --curve to pull tight.")
-    return lines_of(task, [task.surface.tighten(curve, **how)])
+    return lines_of(task, [task.surface.tighten(curve, **task.how)])
 
 
 def girth(task: MeshTask) -> Result:
@@ -166,22 +159,21 @@ def _of_measures(result: Result, values: dict[str, float]) -> Result:
 
 def area(task: MeshTask) -> Result:
     """The area near points or a curve, inside a curve or of each region, and the length of its border."""
-    how: dict[str, Any] = {"method": task.method, "progress": task.progress}
     if task.options.get("regions"):
         return _areas_of_regions(task, task.options["regions"])
     if task.options.get("inside"):
-        curve = task.surface.path_through(task.points("inside"), closed=True, **how)
+        curve = task.surface.path_through(task.points("inside"), closed=True, **task.how)
         inside: Any = task.surface.area(inside=curve, progress=task.progress)
         return _table(task, {"area": inside.area, "border_length": inside.border_length})
     radius = task.options.get("radius")
     if radius is None:
         raise InvalidInput("--radius: is missing; give how far from --from or --curve, or name --inside or --regions.")
     if task.options.get("curve"):
-        curve = task.surface.path_through(task.points("curve"), closed=bool(task.options.get("closed")), **how)
-        found = task.surface.band(curve, radius, **how)
+        curve = task.surface.path_through(task.points("curve"), closed=bool(task.options.get("closed")), **task.how)
+        found = task.surface.band(curve, radius, **task.how)
     else:
         sources, to = task.sources()
-        found = task.surface.band(sources, radius, **how, to=to)
+        found = task.surface.band(sources, radius, to=to, **task.how)
     return _table(task, {"area": found.area, "border_length": found.border_length})
 
 
@@ -206,7 +198,7 @@ def _table(task: MeshTask, measures: dict[str, float]) -> Result:
 def sets(task: MeshTask) -> Result:
     """How far two sets of points are apart."""
     first, second = task.points("from"), task.points("to")
-    found = task.surface.set_distances(first, second, method=task.method, progress=task.progress)
+    found = task.surface.set_distances(first, second, **task.how)
     result = _table(task, {"nearest": found.nearest, "mean": found.mean, "hausdorff": found.hausdorff})
     result.arrays |= {"to_second": found.to_second, "to_first": found.to_first}
     return result
@@ -215,7 +207,7 @@ def sets(task: MeshTask) -> Result:
 def polygon(task: MeshTask) -> Result:
     """The polygon of points, or their convex hull: its legs as paths, and its measures."""
     find = task.surface.convex_hull if task.options.get("hull") else task.surface.polygon
-    found = find(task.points("points"), method=task.method, progress=task.progress)
+    found = find(task.points("points"), **task.how)
     result = lines_of(task, found.legs)
     result.arrays |= {
         "area": np.array([found.area]),

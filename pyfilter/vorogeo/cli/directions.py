@@ -78,8 +78,7 @@ def clusters(task: MeshTask) -> Result:
     """The number of the cluster of each vertex, or of each point."""
     points = task.points("points") if task.options.get("points") else None
     find = task.surface.k_medoids if task.options.get("medoids") else task.surface.k_means
-    how: dict[str, Any] = {"seed": task.options.get("seed") or 0, "method": task.method, "progress": task.progress}
-    found = find(task.options["count"], points, **how)
+    found = find(task.options["count"], points, seed=task.options.get("seed") or 0, **task.how)
     centres = _points(task, found.centres)
     arrays: dict[str, NDArray[Any]] = {
         "label": found.labels,

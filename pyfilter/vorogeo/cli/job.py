@@ -82,6 +82,11 @@ class MeshTask:
         shown = bool(self.options.get("progress")) and sys.stderr.isatty()
         return shown and importlib.util.find_spec("tqdm") is not None
 
+    @property
+    def how(self) -> dict[str, Any]:
+        """What questions take besides what they are about."""
+        return {"method": self.method, "progress": self.progress}
+
     @cached_property
     def metric(self) -> Metric | None:
         """What paths cost; None is their length."""
