@@ -489,6 +489,8 @@ SideLengths sides_by_face_tensor(std::span<const Point> positions,
 
 SideLengths drifts_by_face(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
                            const SideLengths& sides, std::span<const Point> drifts) {
+  // Of the product of two sides: below, the height of a needle is hardly determined by them.
+  constexpr double thin = 1e-5;
   require_one_for_each(drifts.size(), "drifts", faces.size(), "faces");
   SideLengths along(faces.size(), {0.0, 0.0, 0.0});
   for (std::size_t f = 0; f < faces.size(); ++f) {
@@ -519,6 +521,18 @@ SideLengths drifts_by_face(std::span<const Point> positions, std::span<const std
     const long double squared = (bb * gain[first] * gain[first] + 2.0L * ab * gain[first] * gain[second] +
                                  aa * gain[second] * gain[second]) /
                                 (aa * bb - ab * ab);
+    if (!(squared < 1.0L) && twice_area(sides[f]) <= thin * side[1] * std::max(side[0], side[2])) {
+      // A drift across comes from rounding there: it is that along the longest side, at the foot of the apex.
+      const auto longest = std::ranges::max_element(sides[f]) - sides[f].begin();
+      const auto next = (longest + 1) % 3;
+      const auto before = (longest + 2) % 3;
+      const double whole = sides[f][longest];
+      const double difference = (sides[f][before] - sides[f][next]) * (sides[f][before] + sides[f][next]);
+      const double foot = std::clamp(0.5 + 0.5 * difference / (whole * whole), 0.0, 1.0);
+      along[f][before] = -foot * along[f][longest];
+      along[f][next] = -along[f][longest] - along[f][before];
+      continue;
+    }
     if (!(squared < 1.0L)) {
       refuse("has the norm " + std::to_string(static_cast<double>(std::sqrt(squared))) +
              " in the lengths of the face: some step would cost nothing or less; give one below 1.");
