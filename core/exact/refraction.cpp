@@ -244,12 +244,13 @@ EdgeFrame FaceNorms::frame(Index halfedge) const {
   const Place& first = frame.along ? tail : head;
   const Place side{apex[0] - first[0], apex[1] - first[1]};
   const double to_apex = std::sqrt(side[0] * side[0] + side[1] * side[1]);
+  const double base = apart(tail, head);
   // The direction of a side that is no more than rounding is unknown.
-  if (!(frame.length > length_rounding * to_apex && apart(tail, head) > 0.0)) {
+  if (!(base > length_rounding * to_apex)) {
     frame.apex_y = to_apex;
     return frame;
   }
-  const double scale = (frame.along ? 1.0 : -1.0) / apart(tail, head);
+  const double scale = (frame.along ? 1.0 : -1.0) / base;
   const Place unit{(head[0] - tail[0]) * scale, (head[1] - tail[1]) * scale};
   frame.apex_x = side[0] * unit[0] + side[1] * unit[1];
   frame.apex_y = std::abs(side[1] * unit[0] - side[0] * unit[1]);

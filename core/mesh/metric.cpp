@@ -508,8 +508,6 @@ SideLengths drifts_by_face(std::span<const Point> positions, std::span<const std
       gain[i] = w[0] * side[0] + w[1] * side[1] + w[2] * side[2];
       along[f][i] = static_cast<double>(gain[i]);
     }
-    // What no height determines is given up to no height.
-    if (is_flat_triangle(sides[f])) continue;
     // Of the shortest side and another from the same corner: the products of both long sides of a needle
     // differ by rounding.
     const auto first = std::ranges::min_element(sides[f]) - sides[f].begin();
@@ -521,22 +519,24 @@ SideLengths drifts_by_face(std::span<const Point> positions, std::span<const std
     const long double squared = (bb * gain[first] * gain[first] + 2.0L * ab * gain[first] * gain[second] +
                                  aa * gain[second] * gain[second]) /
                                 (aa * bb - ab * ab);
-    if (!(squared < 1.0L) && twice_area(sides[f]) <= thin * side[1] * std::max(side[0], side[2])) {
-      // A drift across comes from rounding there: it is that along the longest side, at the foot of the apex.
-      const auto longest = std::ranges::max_element(sides[f]) - sides[f].begin();
-      const auto next = (longest + 1) % 3;
-      const auto before = (longest + 2) % 3;
-      const double whole = sides[f][longest];
-      const double difference = (sides[f][before] - sides[f][next]) * (sides[f][before] + sides[f][next]);
-      const double foot = std::clamp(0.5 + 0.5 * difference / (whole * whole), 0.0, 1.0);
-      along[f][before] = -foot * along[f][longest];
-      along[f][next] = -along[f][longest] - along[f][before];
-      continue;
-    }
-    if (!(squared < 1.0L)) {
+    if (!is_flat_triangle(sides[f]) && squared < 1.0L) continue;
+    if (!(twice_area(sides[f]) <= thin * side[1] * std::max(side[0], side[2]))) {
       refuse("has the norm " + std::to_string(static_cast<double>(std::sqrt(squared))) +
              " in the lengths of the face: some step would cost nothing or less; give one below 1.");
     }
+    const auto longest = std::ranges::max_element(sides[f]) - sides[f].begin();
+    const auto next = (longest + 1) % 3;
+    const auto before = (longest + 2) % 3;
+    const double whole = sides[f][longest];
+    if (!(whole > 0.0)) continue;
+    const double difference = (sides[f][before] - sides[f][next]) * (sides[f][before] + sides[f][next]);
+    const double foot = std::clamp(0.5 + 0.5 * difference / (whole * whole), 0.0, 1.0);
+    const double at_foot = -foot * along[f][longest];
+    // A drift of a norm below 1 gains less across than there is height; more comes from rounding, and the
+    // drift is that along the longest side, at the foot of the apex.
+    if (std::abs(along[f][before] - at_foot) <= no_height * std::sqrt(sides[f][first] * whole)) continue;
+    along[f][before] = at_foot;
+    along[f][next] = -along[f][longest] - along[f][before];
   }
   return along;
 }

@@ -222,10 +222,11 @@ def test_a_drift_round_a_ring_is_no_gradient():
     assert surface.distance(around // 2, 0) == pytest.approx(expected, rel=1e-3)
 
 
-def test_needles_take_the_drift_along_them():
-    vertices = np.array([[0, 0, 0], [1, 0, 0], [0.5, 1e-6, 0], [0.5, 1, 0]])
+@pytest.mark.parametrize("height", [1e-6, 1e-9])
+def test_needles_take_the_drift_along_them(height):
+    vertices = np.array([[0, 0, 0], [1, 0, 0], [0.5, height, 0], [0.5, 1, 0]])
     faces = np.array([[0, 1, 2], [0, 2, 3], [2, 1, 3]])
-    drift = np.array([[0.2, -3e5, 0], [0.2, 0, 0], [0.2, 0, 0]])
+    drift = np.array([[0.2, -0.3 / height, 0], [0.2, 0, 0], [0.2, 0, 0]])
     surface = vorogeo.Surface(vertices, faces, metric=vorogeo.FaceRanders(np.tile(np.eye(3), (3, 1, 1)), drift))
     np.testing.assert_allclose(surface.distance_field(0), [0, 1.2, 0.6, np.sqrt(1.25) + 0.1], rtol=1e-3)
 
