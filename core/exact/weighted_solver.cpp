@@ -374,6 +374,20 @@ WaveParts WeightedSolver::parts_of(Index edge, Index first) const {
                     norms_->edge_cost(edge) * norms_->piece(edge, first));
 }
 
+/// The wave of a point of an edge, in a face behind it, through a part of the piece to the point `other`
+/// beside it.
+template <bool one_way>
+FaceBeam WeightedSolver::beam_from(Index edge, const EdgeFrame& frame, double dearer, Index k, Index other,
+                                   double low, double high) const {
+  const double at = norms_->fraction(edge, k);
+  const double part = norms_->fraction(edge, other) - at;
+  FaceBeam beam(wave_at<one_way>(edge, k), at * frame.length, dearer, low, high, frame.shift);
+  beam.keep_above(norms_->fraction(edge, other) * frame.length,
+                  state_[norms_->point(edge, other)].distance - part * frame.drift,
+                  spare * std::abs(part) * norms_->edge_cost(edge));
+  return beam;
+}
+
 /// Crosses a face from one of its vertices to the points of the side opposite.
 template <bool one_way>
 void WeightedSolver::cross_from_vertex(Index corner) {
@@ -452,10 +466,7 @@ void WeightedSolver::cross(Index halfedge, Index from) {
   };
   // The wave of point k where it passes between two places of the side, the first one lower.
   auto send = [&](Index k, Index other, double low, double high) {
-    FaceBeam beam(wave_at<one_way>(edge, k), place(k), dearer, low, high, frame.shift);
-    const double part = norms_->fraction(edge, other) - norms_->fraction(edge, k);
-    beam.keep_above(place(other), state_[norms_->point(edge, other)].distance - part * frame.drift,
-                    spare * std::abs(part) * cost);
+    const FaceBeam beam = beam_from<one_way>(edge, frame, dearer, k, other, low, high);
     const double gained = one_way ? norms_->fraction(edge, k) * frame.drift : 0.0;
     auto meet = [&](Index number) {
       const PointAcross to = across.at(number);
@@ -566,12 +577,7 @@ WeightedSolver::BackStep WeightedSolver::step_into(Index face, const std::array<
         const double low = begin + (end == k ? 0.0 : parts.second_from) * piece;
         const double high = begin + (end == k ? parts.first_until : 1.0) * piece;
         const Index other = end == k ? k + 1 : k;
-        FaceBeam beam(wave_at<true>(edge, end), norms_->fraction(edge, end) * frame.length, dearer, low, high,
-                      frame.shift);
-        const double part = norms_->fraction(edge, other) - norms_->fraction(edge, end);
-        beam.keep_above(norms_->fraction(edge, other) * frame.length,
-                        state_[norms_->point(edge, other)].distance - part * frame.drift,
-                        spare * std::abs(part) * cost);
+        const FaceBeam beam = beam_from<true>(edge, frame, dearer, end, other, low, high);
         const double crossing = beam.crossing(x, y);
         if (!beam.has(crossing)) continue;
         const double drift = drift_from(end);

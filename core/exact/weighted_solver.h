@@ -101,6 +101,9 @@ class WeightedSolver {
   EdgeWave wave_at(Index edge, Index k) const;
   template <bool one_way>
   WaveParts parts_of(Index edge, Index first) const;
+  template <bool one_way>
+  FaceBeam beam_from(Index edge, const EdgeFrame& frame, double dearer, Index k, Index other, double low,
+                     double high) const;
   bool is_final(const ExactLimits& limits, double bound);
   double least_rest_at(Index vertex) const;
   double least_rest(Index point) const;
