@@ -135,7 +135,7 @@ class WindowEnvelope {
   double store();
 
   /// From now on no window can be shorter where the distance is less than `front`, and nobody asks for the
-  /// windows there.
+  /// windows there: of long lists, they may be dropped.
   void pass(double front) { front_ = front; }
   /// Drops the windows of an edge on which no later window can be shorter; the edge accepts no more.
   void retire(Index edge);

@@ -278,7 +278,7 @@ constexpr double near_edge = 1e-6;
 /// length, are one up to the rounding of the crossings that led there.
 constexpr double same_source = 1e-13;
 
-/// A wave this far behind another one, relative to its distance, is the same up to rounding.
+/// A wave this far behind another one, relative to their distance, is the same up to rounding.
 constexpr double greatest_lag = 1e-12;
 
 /// Opens a window that ends about where such a pseudo-source lies: whether a ray passes on this or the other
@@ -614,13 +614,9 @@ inline bool ExactSolver::State::is_same_beam(Index edge, const Window& window, c
 }
 
 inline bool ExactSolver::State::is_in_beam(const Window& window, const Window& beam) {
-  const double along = window.source_x - beam.source_x;
-  const double away = beam.source_y - window.source_y;
   const auto is_on_ray = [&](double x) {
-    const double distance = beam.plane_distance(x);
-    const double ahead = (along * (x - beam.source_x) + away * beam.source_y) / distance;
-    const double lag = window.offset - beam.offset - ahead;
-    return std::abs(lag) <= greatest_lag * (beam.offset + distance);
+    const double distance = beam.distance(x);
+    return std::abs(window.distance(x) - distance) <= greatest_lag * distance;
   };
   return is_on_ray(window.begin) && is_on_ray(window.end);
 }
@@ -633,7 +629,7 @@ inline std::size_t ExactSolver::State::continued_by(Index edge, std::span<const 
   if (i == 0) return i;
   std::size_t beam = i - 1;
   while (!is_same_beam(edge, windows[beam], next)) {
-    if (beam == 0 || !(windows[beam].end - windows[beam].begin < lit)) return i;
+    if (beam == 0 || !(next.begin - windows[beam].begin < lit)) return i;
     --beam;
   }
   const double gap = least_width * geometry->scale_at(edge, next.begin, next.distance(next.begin), length);
@@ -726,7 +722,8 @@ void ExactSolver::State::merge_crossing(Index halfedge) {
   // A way round a tube of needles is hardly longer than they are wide: were more taken off a distance than
   // that, or a slit beside a merged window handed round, there would be no end. Long edges lead into parts
   // that are smaller altogether, where the distance itself bounds it.
-  const double tolerance = merge_tolerance * std::min(length, geometry->frame[halfedge].apex_depth);
+  const double tolerance =
+      merge_tolerance * std::min({length, geometry->frame[halfedge].apex_depth, mesh.typical_edge_length()});
   // Far out on a long edge, the distances have not the digits from which a pseudo-source could be made again:
   // around an outlier a window would get nearer by rounding each time round, without end.
   const bool is_long = geometry->is_long(edge);

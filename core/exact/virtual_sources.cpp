@@ -20,8 +20,8 @@ constexpr double face_bucket_width = 0.5;
 /// by passing that vertex on its other side: farther away, other vertices are likely to be in between.
 constexpr double max_aside = 0.6;
 
-/// Edges shorter than this part of the longest one of their face are passed at an end, not crossed: the apex
-/// is placed with so much rounding that their direction is unknown.
+/// Edges shorter than this part of the longest one of their two faces are passed at an end, not crossed: an
+/// apex is placed with so much rounding that their direction is unknown.
 constexpr double least_length = 1e-12;
 
 using PlanePoint = std::array<double, 2>;
@@ -164,7 +164,6 @@ void VirtualSources::hand_on(Index face) {
   int side = own.base - 3 * face;
   const auto [edge, apex, tail, head, opposite] = over(record, side);
   const bool is_start = own.left.vertex == no_index && own.right.vertex == no_index;
-  const double longest = std::ranges::max(record.length);
   const std::array<PlanePoint, 4> corner{PlanePoint{}, PlanePoint{edge, 0.0}, apex, PlanePoint{}};
   for (int i = 0; i < 3; ++i, side = side == 2 ? 0 : side + 1) {
     if (i == 0 && !is_start) continue;
@@ -175,6 +174,7 @@ void VirtualSources::hand_on(Index face) {
       const PlanePoint& from = corner[i];
       const PlanePoint& to = corner[i + 1];
       const double length = record.length[side];
+      const double longest = std::max(std::ranges::max(record.length), std::ranges::max(other.length));
       if (!(length > least_length * longest)) {
         // Both its ends are one place, from which the face behind may be reached alone.
         const VertexRecord& end = vertices_[other.vertex[g % 3]];

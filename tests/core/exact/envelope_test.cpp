@@ -65,7 +65,9 @@ TEST(WindowEnvelope, AloneAWindowStaysWhole) {
 TEST(WindowEnvelope, WhatTheFrontHasPassedStaysWithWhatIsThere) {
   // Two envelopes get the same windows, none nearer than the front: where the one that knows it has let go
   // of windows, the other has distances that the front has passed; elsewhere, the two are the same.
-  std::mt19937 random(std::random_device{}());
+  const auto seed = std::random_device{}();
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   WindowEnvelope whole;
   whole.resize(1);

@@ -330,7 +330,9 @@ TEST(FaceSplits, PartsFitTogetherAndHaveTheIntegralsOfTheirSides) {
 /// Where the cost is y, shortest paths are catenaries y = a cosh(x / a); from t = x / a = p to q, one costs
 /// a^2 / 2 (q - p + (sinh 2q - sinh 2p) / 2).
 TEST(FaceSplits, CoarseFacesHaveTheCatenariesOfALinearCost) {
-  std::mt19937 random(std::random_device{}());
+  const auto seed = std::random_device{}();
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
   std::uniform_real_distribution<double> parameter(0.15, 0.6);
   for (int round = 0; round < 5; ++round) {
     const double a = 1.0 + parameter(random), p = -parameter(random), q = parameter(random);
@@ -439,7 +441,9 @@ TEST(InputMap, TakesPointsValuesAndEdgesInAndOut) {
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     EXPECT_NEAR(all[v], 3.0 * mesh.position(v)[0] - mesh.position(v)[1], 1e-14) << "linear values stay so";
   }
-  std::mt19937 random(std::random_device{}());
+  const auto seed = std::random_device{}();
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
   for (Index f = 0; f < static_cast<Index>(grid.faces.size()); ++f) {
     std::array<double, 3> weights{1.0 + random() % 9, 1.0 + random() % 9, 1.0 + random() % 9};
     const double sum = weights[0] + weights[1] + weights[2];

@@ -1,6 +1,7 @@
 // Methods by windows: exact ones, merged windows, virtual sources and the tree of windows.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "methods/chen_han.h"
@@ -84,6 +85,14 @@ TEST(AmmpMethod, KeepsItsPromise) {
   for (double eps : {1e-4, 1e-3, 1e-2}) {
     expect_promise(test::icosphere(4), eps);
     expect_promise(test::hills(40, 0.4), eps);
+    // Faces twelve times as large as the typical one, and as small.
+    test::Soup graded = test::hills(30, 0.1);
+    for (auto& [x, y, z] : graded.positions) {
+      const double size = std::exp(5.0 * x);
+      const double angle = 5.0 * y;
+      x = size * std::cos(angle), y = size * std::sin(angle), z *= size;
+    }
+    expect_promise(graded, eps);
     expect_promise(test::torus(40, 20, 2.0, 0.7), eps);
     expect_promise(test::random_sphere(600, 3), eps);
     expect_promise(test::drilled_plate(3, 2, 0.4, 5), eps);

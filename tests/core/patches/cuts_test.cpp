@@ -33,7 +33,9 @@ std::int64_t capacity_of_cut(const std::vector<Edge>& edges, BesideSource&& besi
 
 TEST(MinCut, NoOtherCutOfARandomGraphIsCheaper) {
   MinCut cut;
-  std::mt19937 random(std::random_device{}());
+  const auto seed = std::random_device{}();
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
   for (int graph = 0; graph < 50; ++graph) {
     constexpr unsigned nodes = 8;
     std::vector<Edge> edges;

@@ -12,7 +12,9 @@ namespace vorogeo {
 namespace {
 
 TEST(BlockPool, BlocksAreApartAndUsedAgain) {
-  std::mt19937 random(std::random_device{}());
+  const auto seed = std::random_device{}();
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
   BlockPool<int> pool;
   struct Block {
     int* first;

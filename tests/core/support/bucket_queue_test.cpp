@@ -176,7 +176,9 @@ TEST(BucketQueue, MemoryStaysThatOfTheEntriesHoweverOftenItIsUsed) {
   BucketQueue queue;
   queue.resize(count);
   const std::size_t empty = queue.memory_bytes();
-  std::mt19937 random(std::random_device{}());
+  const auto seed = std::random_device{}();
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
   std::uniform_real_distribution<double> key(0.0, 1000.0);
   for (int use = 0; use < 20; ++use) {
     queue.reset(1.0);

@@ -141,7 +141,9 @@ TEST(LogMap, FromAnIndexHasADirectionWhereTablesContradictEachOther) {
   // Needles in small patches: distances of some border nodes follow from one another in a circle.
   test::Soup soup = test::icosphere(3);
   for (Point& position : soup.positions) position[2] *= 100.0;
-  std::mt19937 random(std::random_device{}());
+  const auto seed = std::random_device{}();
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
   std::lognormal_distribution<double> cost(0.0, 0.5);
   std::vector<double> costs;
   for (std::size_t v = 0; v < soup.positions.size(); ++v) costs.push_back(cost(random));

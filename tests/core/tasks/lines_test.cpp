@@ -48,7 +48,9 @@ TEST(Isolines, CrossingOfTheDistanceFromAPointBesideTheEdge) {
 
 TEST(Lines, SegmentsInAnyOrderMakeOpenAndClosedLines) {
   std::vector<std::array<Index, 2>> segments{{7, 3}, {3, 9}, {9, 1}, {4, 5}, {5, 6}, {6, 8}, {8, 4}, {2, 2}};
-  std::mt19937 random(std::random_device{}());
+  const auto seed = std::random_device{}();
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
   std::ranges::shuffle(segments, random);
   for (auto& [a, b] : segments) {
     if (random() % 2 == 0) std::swap(a, b);
