@@ -183,7 +183,7 @@ void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& l
       report_run(limits,
                  static_cast<double>(state.touched_vertices.size()) /
                      static_cast<double>(std::max<Index>(1, state.mesh.vertex_count())),
-                 "Computing exact distances");
+                 "Computing distances");
     }
     const Index item = state.queue.pop();
     if (item == no_index) break;

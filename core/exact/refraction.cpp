@@ -394,7 +394,7 @@ constexpr double same_cost = 1e-9;
 /// plane.
 constexpr double wide = 0.1;
 
-constexpr int most_rounds = 8;
+constexpr int most_rounds = 12;
 constexpr double same_slope = 1e-5;
 
 /// Of a piece: what the parts of two waves that touch overlap by, so that no ray passes between them.
@@ -444,12 +444,14 @@ FaceBeam::Local FaceBeam::local(double crossing) const {
   return {radius, radius > 0.0 ? (wave_.radius * wave_.slope + way) / radius : wave_.slope};
 }
 
-/// Newton's method for the least sum of the distance on the side and the way from there, which is convex.
+/// Newton's method for the least sum of the distance on the side and the way from there, which is convex;
+/// halves what is left where that is slow.
 double FaceBeam::bent_crossing(double x, double y) const {
   const double slack = 1e-9 * (high_ - low_);
   double low = low_;
   double high = high_;
   double at = std::clamp(y > y_ ? (x_ * y - x * y_) / (y - y_) : x, low, high);
+  double last_rise = unreachable;
   for (int round = 0; round < most_rounds; ++round) {
     const auto [radius, slope] = local(at);
     const double rest = std::sqrt((x - at) * (x - at) + y * y);
@@ -462,7 +464,10 @@ double FaceBeam::bent_crossing(double x, double y) const {
     double bend = (1.0 - fall * fall) / rest;
     if (radius > 0.0) bend += (1.0 - slope * slope) / (radius * dearer_ * dearer_);
     const double next = at - rise / bend;
-    at = next > low && next < high ? next : round == 0 ? (rise > 0.0 ? low : high) : 0.5 * (low + high);
+    const bool is_slow = std::abs(rise) > 0.5 * last_rise;
+    last_rise = std::abs(rise);
+    const double fallback = round == 0 ? (rise > 0.0 ? low : high) : 0.5 * (low + high);
+    at = next > low && next < high && !is_slow ? next : fallback;
   }
   return at;
 }

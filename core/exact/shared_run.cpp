@@ -73,7 +73,7 @@ void SharedRun::run(ExactSolver::State& first, const Progress* progress) {
   first.start();
   begin_next_step();
   std::optional<Watch> watch;
-  if (progress != nullptr) watch.emplace(*progress, "Computing exact distances");
+  if (progress != nullptr) watch.emplace(*progress, "Computing distances");
   parallel_for(all_.size(), solvers(), {}, "", [&](std::size_t own, int worker) {
     try {
       work(static_cast<int>(own), worker == 0 && watch ? &*watch : nullptr);

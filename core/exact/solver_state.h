@@ -334,7 +334,8 @@ struct ExactSolver::State {
   /// Whether two windows of an edge, in this order, are seen from one pseudo-source through the same faces.
   bool is_same_beam(Index edge, const Window& window, const Window& next) const;
   /// Whether a window between two of a beam has its pseudo-source on the rays that are missing there: its
-  /// wave is where the beam's would be. In the shadow of a hole it is behind that, and the farther on the less.
+  /// wave is where the beam's would be. In the shadow of a hole it is behind that, and the farther on the
+  /// less.
   static bool is_in_beam(const Window& window, const Window& beam);
   /// Which of the windows before it the i-th one continues: rays of one pseudo-source that passed flat
   /// vertices on their two sides, with nothing between but what such a vertex lights where rounding has left

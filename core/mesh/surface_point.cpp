@@ -221,11 +221,4 @@ double distance_in_triangle(const std::array<double, 3>& length, const std::arra
   return best;
 }
 
-double distance_in_face(const Mesh& mesh, Index face, const std::array<double, 3>& weights,
-                        const std::array<double, 3>& corner_distance) {
-  std::array<double, 3> length{};
-  for (int i = 0; i < 3; ++i) length[i] = mesh.side_length(3 * face + i);
-  return distance_in_triangle(length, weights, corner_distance);
-}
-
 }  // namespace vorogeo

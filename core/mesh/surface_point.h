@@ -138,8 +138,4 @@ std::array<double, 3> distances_in_triangle(const std::array<double, 3>& length,
 double distance_in_triangle(const std::array<double, 3>& length, const std::array<double, 3>& weights,
                             const std::array<double, 3>& corner_distance);
 
-/// The same in a face of a mesh.
-double distance_in_face(const Mesh& mesh, Index face, const std::array<double, 3>& weights,
-                        const std::array<double, 3>& corner_distance);
-
 }  // namespace vorogeo

@@ -3,9 +3,9 @@
 #include <array>
 
 #include "exact/exact_solver.h"
-#include "exact/virtual_sources.h"
 #include "index/geodesic_index.h"
 #include "methods/method.h"
+#include "methods/virtual_sources.h"
 #include "query/surface.h"
 
 namespace vorogeo {
@@ -129,7 +129,7 @@ class VirtualSourceFields final : public GeodesicMethod {
 
  private:
   std::vector<double> solve(std::span<const Index> sources, const Progress&) override {
-    runs_.run(sources_at(sources));
+    runs_.run(sources);
     return vertex_distances(mesh(), runs_);
   }
 

@@ -43,7 +43,7 @@ class IndexField {
   const Mesh& mesh() const { return *data_.mesh; }
   double distance(Index vertex) const;
   /// At a vertex the same; in a face exact in the patches of the sources and around them, elsewhere computed
-  /// from the distances at its corners (distance_in_face).
+  /// from the distances at its corners (distance_in_triangle).
   double distance(const SurfacePoint& point) const;
   /// The angle in the frame at which the shortest path begins; NaN where none leads. Exact in the patches
   /// around the source; further away from where the path crosses the borders of these, in hundredths of a

@@ -27,11 +27,25 @@ const IndexField& Query::index_field(std::span<const ExactSource> sources, doubl
   return *index_field_;
 }
 
-const LocalSolver& Query::solved(std::span<const ExactSource> sources, double max_distance, int threads,
-                                 bool distances_only, const Progress& progress) {
+namespace {
+
+/// Of quick fields, as in ExactLimits: time against errors, of a twentieth of a percent in the mean.
+constexpr double quick_tolerance = 5e-3;
+
+}  // namespace
+
+const LocalSolver& Query::solved(std::span<const ExactSource> sources, double max_distance, AnswerMethod by,
+                                 int threads, bool distances_only, const Progress& progress) {
   ExactLimits limits;
+  if (by == AnswerMethod::quick) {
+    require_agreeing_faces(*surface_.mesh(), "Quick distances");
+    limits.merge_tolerance = quick_tolerance;
+  }
   limits.max_distance = max_distance;
-  if (progress) limits.progress = &progress;
+  if (progress) {
+    limits.progress = &progress;
+    progress.report(0.0, "Computing distances");  // a small mesh is done before the first report of the run
+  }
   limits.distances_only = distances_only;
   limits.threads = threads > 1 ? threads_for_field(*surface_.mesh(), threads) : 1;
   return solved(sources, limits);
@@ -111,13 +125,7 @@ std::vector<double> Query::field(std::span<const ExactSource> sources, double ma
     const Watch watch(progress, "Geodesic distances");
     return field_of(index_field(sources, max_distance, threads, labels != nullptr), from, labels);
   }
-  if (by == AnswerMethod::exact) {
-    return field_of(solved(from.sources, from.max_distance, threads, true, progress), from, labels);
-  }
-  const Watch watch(progress, "Quick geodesic distances");
-  if (!quick_) quick_.emplace(surface_.mesh());
-  quick_->run(sources, max_distance);
-  return field_of(*quick_, from, labels);
+  return field_of(solved(from.sources, from.max_distance, by, threads, true, progress), from, labels);
 }
 
 std::vector<double> Query::field_of_lines(std::span<const ExactSource> sources,
@@ -135,18 +143,9 @@ std::vector<double> Query::distances(std::span<const ExactSource> sources, const
                                      double max_distance, AnswerMethod by) {
   std::vector<double> result;
   result.reserve(targets.size());
-  if (by == AnswerMethod::quick || targets.only_vertices()) {
+  if (targets.only_vertices()) {
     const auto all = field(sources, max_distance, by, 1);
-    const Mesh& mesh = *surface_.mesh();
-    for (const SurfacePoint& target : targets) {
-      if (target.is_vertex()) {
-        result.push_back(all[target.vertex]);
-        continue;
-      }
-      std::array<double, 3> corners{};
-      for (int i = 0; i < 3; ++i) corners[i] = all[mesh.face_vertices(target.face)[i]];
-      result.push_back(distance_in_face(mesh, target.face, target.barycentric, corners));
-    }
+    for (const SurfacePoint& target : targets) result.push_back(all[target.vertex]);
     return result;
   }
   const auto distance_of = field_at_points(sources, max_distance, by);
@@ -162,7 +161,7 @@ std::function<double(const SurfacePoint&)> Query::field_at_points(std::span<cons
         [from, &solver](const SurfacePoint& point) { return from->distance(point, solver.distance(point)); };
   };
   if (by == AnswerMethod::index) return read(index_field(sources, max_distance, 1, false));
-  return read(solved(from->sources, from->max_distance, 1, false));
+  return read(solved(from->sources, from->max_distance, by, 1, false));
 }
 
 double Query::distance(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod by) {
@@ -303,7 +302,7 @@ std::vector<Turn> Query::first_turns(const PointList& targets) const {
 std::vector<Tangent> Query::gradient(std::span<const ExactSource> sources,
                                      const std::optional<PointList>& points, double max_distance,
                                      const Progress& progress) {
-  const LocalSolver& solver = solved(sources, max_distance, 1, false, progress);
+  const LocalSolver& solver = solved(sources, max_distance, AnswerMethod::exact, 1, false, progress);
   const auto geometry = surface_.geometry();
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const auto at = [&](const SurfacePoint& point) -> Tangent {
@@ -328,8 +327,8 @@ std::vector<Tangent> Query::gradient(std::span<const ExactSource> sources,
 void Query::last_legs(const SurfacePoint& from, double max_distance, const Progress& progress,
                       const std::function<void(Index, const PointList&)>& visit) {
   const Mesh& mesh = *surface_.mesh();
-  const LocalSolver& solver =
-      solved(std::array{ExactSource{from}}, max_distance, 1, false, progress.part(0.0, 0.7));
+  const LocalSolver& solver = solved(std::array{ExactSource{from}}, max_distance, AnswerMethod::exact, 1,
+                                     false, progress.part(0.0, 0.7));
   std::vector<std::uint8_t> is_visited(mesh.vertex_count(), 0);
   if (from.is_vertex()) is_visited[mesh.representative(from.vertex)] = 1;
   std::vector<Index> order;
@@ -357,7 +356,7 @@ void Query::last_legs(const SurfacePoint& from, double max_distance, const Progr
 }
 
 Ridge Query::ridge(std::span<const ExactSource> sources, double max_distance, const Progress& progress) {
-  return solved(sources, max_distance, 1, false, progress).ridge();
+  return solved(sources, max_distance, AnswerMethod::exact, 1, false, progress).ridge();
 }
 
 void Query::exact_paths(const SurfacePoint& source, std::span<const SurfacePoint> targets,

@@ -10,7 +10,6 @@
 
 #include "exact/local_solver.h"
 #include "exact/tangent_frame.h"
-#include "exact/virtual_sources.h"
 #include "index/geodesic_index.h"
 #include "query/index_field.h"
 #include "query/pair_distance.h"
@@ -23,7 +22,7 @@ enum class AnswerMethod : std::uint8_t {
   automatic,  ///< a request only: whichever is expected to be fastest; exact if both are near
   index,      ///< the index, built if there is none
   exact,      ///< exact propagation
-  quick       ///< virtual sources; fields only
+  quick       ///< merged windows (ExactLimits::merge_tolerance); fields only
 };
 
 /// "automatic", "index", "exact" or "quick".
@@ -63,12 +62,11 @@ class Query {
   std::vector<double> field_of_lines(std::span<const ExactSource> sources,
                                      std::span<const SourceSegment> segments, double max_distance,
                                      int threads, const Progress& progress);
-  /// The values of a field at some points. In a face they are interpolated from the corners, but exact where
-  /// a source is near (IndexField::distance) or the method is exact.
+  /// The values of a field at some points. In a face an index interpolates them from the corners, but has
+  /// exact ones where a source is near (IndexField::distance).
   std::vector<double> distances(std::span<const ExactSource> sources, const PointList& targets,
                                 double max_distance, AnswerMethod by);
-  /// The same as a function of the point, which must not outlive the next question to this query. \pre `by`
-  /// is not quick.
+  /// The same as a function of the point, which must not outlive the next question to this query.
   std::function<double(const SurfacePoint&)> field_at_points(std::span<const ExactSource> sources,
                                                              double max_distance, AnswerMethod by);
   /// Distance of two points, symmetric: from the index that of PairDistance for two vertices, otherwise the
@@ -101,8 +99,8 @@ class Query {
   PathQuery& mesh_paths();
   const IndexField& index_field(std::span<const ExactSource> sources, double max_distance, int threads,
                                 bool wants_labels, const TangentFrame* directions = nullptr);
-  const LocalSolver& solved(std::span<const ExactSource> sources, double max_distance, int threads,
-                            bool distances_only, const Progress& progress = {});
+  const LocalSolver& solved(std::span<const ExactSource> sources, double max_distance, AnswerMethod by,
+                            int threads, bool distances_only, const Progress& progress = {});
   const LocalSolver& solved(std::span<const ExactSource> sources, const ExactLimits& limits);
 
   Surface& surface_;
@@ -112,7 +110,6 @@ class Query {
   std::optional<LocalSolver> solver_;
   std::optional<PathQuery> mesh_paths_;
   std::optional<PathsFromPoint> propagation_;
-  std::optional<VirtualSources> quick_;
 };
 
 }  // namespace vorogeo

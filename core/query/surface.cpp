@@ -304,8 +304,8 @@ LabelledField Surface::field(std::span<const ExactSource> sources, double max_di
   if (method == AnswerMethod::automatic && is_large && reach > short_reach() && !index()) {
     answered.by = AnswerMethod::quick;
     answered.remark = "This mesh has more than " + std::to_string(max_vertices_exact) +
-                      " vertices: the field is a quick one, with an error of some tenths of a percent; ask "
-                      "for the method exact or index for a better one.";
+                      " vertices: the field is a quick one, with an error below a tenth of a percent in the "
+                      "mean; ask for the method exact or index for a better one.";
   } else {
     answered.by = choose(method, 1.0, reach, answered, rest);
   }

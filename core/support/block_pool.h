@@ -12,8 +12,8 @@
 namespace vorogeo {
 
 /// Blocks of 2^c elements, c being their size class. A block is half of a greater one, and the greatest are
-/// chunks that the system gave, each an eighth to a quarter of all before it: so growth copies nothing, touches
-/// no memory that is not used, and takes little more than the blocks.
+/// chunks that the system gave, each an eighth to a quarter of all before it: so growth copies nothing,
+/// touches no memory that is not used, and takes little more than the blocks.
 template <class Element>
 class BlockPool {
   static_assert(std::is_trivially_copyable_v<Element> && std::is_trivially_destructible_v<Element>);

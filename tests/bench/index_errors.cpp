@@ -9,6 +9,7 @@
 #include "core_bench.h"
 #include "exact/exact_solver.h"
 #include "index/geodesic_index.h"
+#include "query/surface.h"
 #include "support/indexes.h"
 #include "support/ply.h"
 #include "support/shapes.h"
@@ -88,6 +89,36 @@ Measured measured(const MeshPointer& mesh, const std::vector<ExactField>& exact,
   return result;
 }
 
+/// Quick fields of the same questions, and exact ones, both by a surface that has answered before.
+struct Quick {
+  double share = 0.0;  ///< of the time of an exact field
+  vorogeo::test::ErrorCollector errors;
+};
+
+Quick quick(const MeshPointer& mesh, const std::vector<ExactField>& exact) {
+  using vorogeo::AnswerMethod;
+  Quick result;
+  vorogeo::Surface surface(mesh, {.threads = 1});
+  vorogeo::Query query(surface);
+  double seconds[2] = {0.0, 0.0};
+  for (const bool again : {false, true}) {
+    for (const ExactField& one : exact) {
+      std::vector<double> found;
+      const auto ask = [&](AnswerMethod by) {
+        const std::vector<vorogeo::ExactSource> sources = vorogeo::sources_at(std::span(&one.source, 1));
+        seconds[by == AnswerMethod::exact] +=
+            cpu_seconds([&] { found = query.field(sources, vorogeo::unreachable, by, 1); });
+      };
+      ask(AnswerMethod::exact);
+      ask(AnswerMethod::quick);
+      for (Index v = 0; again && v < mesh->vertex_count(); ++v) result.errors.add(found[v], one.distances[v]);
+    }
+    if (!again) seconds[0] = seconds[1] = 0.0;
+  }
+  result.share = seconds[0] / seconds[1];
+  return result;
+}
+
 double needle_share(const vorogeo::Mesh& mesh) {
   Index needles = 0;
   for (Index f = 0; f < mesh.face_count(); ++f) {
@@ -107,7 +138,9 @@ void measure_any_mesh(Arguments arguments) {
     double exact_seconds = 0.0;
     for (const ExactField& one : exact) exact_seconds += one.seconds / static_cast<double>(exact.size());
     const Measured found = measured(mesh, exact, {});
-    const auto fields = found.field_errors.statistics(), pairs = found.pair_errors.statistics();
+    const Quick quickly = quick(mesh, exact);
+    const auto fields = found.field_errors.statistics(), pairs = found.pair_errors.statistics(),
+               quick_fields = quickly.errors.statistics();
     print_figures("mesh", std::filesystem::path(name).stem().string(),
                   {{"vertices", mesh->vertex_count()},
                    {"needles", 100.0 * needle_share(*mesh)},
@@ -125,7 +158,12 @@ void measure_any_mesh(Arguments arguments) {
                    {"pair_mean", 100.0 * pairs.mean},
                    {"pair_p99", 100.0 * pairs.p99},
                    {"pair_over", 100.0 * pairs.greatest},
-                   {"pair_under", 100.0 * std::abs(pairs.least)}});
+                   {"pair_under", 100.0 * std::abs(pairs.least)},
+                   {"quick/exact", quickly.share},
+                   {"quick_mean", 100.0 * quick_fields.mean},
+                   {"quick_p99", 100.0 * quick_fields.p99},
+                   {"quick_over", 100.0 * quick_fields.greatest},
+                   {"quick_under", 100.0 * std::abs(quick_fields.least)}});
   }
 }
 

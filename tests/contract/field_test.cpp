@@ -121,7 +121,7 @@ TEST(FieldContract, QuickFieldsOfSeveralSourcesAreNearInTheMean) {
     test::ErrorCollector errors;
     for (Index v = 0; v < one.ask.vertex_count(); ++v) errors.add(field.distance[v], exact.distance[v]);
     EXPECT_EQ(errors.contradictions, 0U);
-    EXPECT_LE(errors.statistics().mean, 0.03);
+    EXPECT_LE(errors.statistics().mean, 1e-3);
   };
   ask_each(cases(), ask, {By::quick});
 }

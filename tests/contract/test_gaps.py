@@ -28,7 +28,7 @@ def plates(width: float = WIDTH) -> Mesh:
 
 def tolerance(by: str) -> float:
     """The relative error of a field on a plane."""
-    return {"index": 2e-2, "quick": 0.1}.get(by, 1e-9)
+    return {"index": 2e-2, "quick": 1e-2}.get(by, 1e-9)
 
 
 def straight(vertices: Floats, source: int) -> Floats:

@@ -172,6 +172,7 @@ def cancel(_fraction: float, _text: str) -> bool:
 BENT, MANY = table.named("bumpy"), range(50)
 LONG: dict[str, Callable[[Any], Any]] = {
     "building an index": lambda on: on.build_index(progress=cancel),
+    "an exact field": lambda on: ask.field("exact", BENT, 0, on=on, progress=cancel),
     "a quick field": lambda on: ask.field("quick", BENT, 0, on=on, progress=cancel),
     "an exact path": lambda on: ask.path("exact", BENT, 0, 200, progress=cancel),
     "paths": lambda on: ask.path("index", BENT, [0] * 50, [9] * 50, progress=cancel),

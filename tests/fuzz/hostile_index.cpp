@@ -17,6 +17,8 @@ constexpr int pairs = 4;
 /// Relative errors allowed to an index: larger ones are findings. Documented errors are those of meshes as
 /// people have them (docs/figures.md); here patches have a handful of faces of any shape.
 constexpr double greatest_error = 0.5;
+/// The same of quick fields, which merge within parts of a face: docs/figures.md has a tenth of that.
+constexpr double greatest_quick_error = 0.05;
 
 /// Answers that are asked for twice, from the built and from the loaded index.
 struct Answers {
@@ -260,6 +262,8 @@ void IndexCheck::check_quick() {
       if (!(field[v] >= 0.0)) hostile_.fail("a negative distance or none", vertex);
       if ((field[v] < unreachable) != (exact < unreachable))
         hostile_.fail("reached or not, against the components", vertex);
+      if (std::abs(field[v] - exact) > greatest_quick_error * exact + hostile_.slack(exact))
+        hostile_.fail("a quick field errs", vertex);
       hostile_.note_error(ErrorKind::quick, field[v], exact);
     }
   });

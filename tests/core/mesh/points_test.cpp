@@ -201,6 +201,14 @@ TEST(BoxTree, ReachMayShrinkAndVisitsMayBeBounded) {
 
 // Distances inside faces: exact for a wave over a plane, and never shorter than a single wave allows.
 
+/// distance_in_triangle in a face of a mesh.
+double distance_in_face(const Mesh& mesh, Index face, const std::array<double, 3>& weights,
+                        const std::array<double, 3>& corners) {
+  const Index side = 3 * face;
+  return distance_in_triangle(
+      {mesh.side_length(side), mesh.side_length(side + 1), mesh.side_length(side + 2)}, weights, corners);
+}
+
 TEST(FaceDistance, IsExactForAPointSourceInThePlane) {
   const test::Shape plane = test::plane_grid(6, 5, 3.0, 2.0, 0.2);
   const auto mesh = test::make_mesh(plane.soup);

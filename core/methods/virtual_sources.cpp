@@ -1,5 +1,5 @@
 // Propagation of virtual sources in order of distance.
-#include "exact/virtual_sources.h"
+#include "methods/virtual_sources.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,25 +81,23 @@ inline VirtualSources::FaceOver VirtualSources::over(const FaceRecord& face, int
   return {edge, apex, face.vertex[side], face.vertex[next], face.vertex[previous]};
 }
 
-void VirtualSources::run(std::span<const ExactSource> sources, double max_distance) {
-  const std::vector<ExactSource> checked = validated(*mesh_, sources);
-  max_distance_ = max_distance;
+void VirtualSources::run(std::span<const Index> sources) {
   for (FaceRecord& face : records_) face.distance = unreachable;
-  for (VertexRecord& vertex : vertices_) {
-    vertex.distance = unreachable;
-    vertex.source = no_index;
-  }
+  for (VertexRecord& vertex : vertices_) vertex.distance = unreachable;
   queue_.reset(face_bucket_width * mesh_->typical_edge_length());
   turning_.clear();
-  for (std::size_t i = 0; i < checked.size(); ++i)
-    start_at(checked[i].point, checked[i].offset, static_cast<Index>(i));
+  for (const Index source : sources) {
+    const Index vertex = mesh_->representative(source);
+    vertices_[vertex].distance = 0.0;
+    start_at(vertex);
+  }
   Index taken = 0;
   // This loop ends: a face or a vertex is added only where its distance decreases by more than rounding.
   for (;;) {
     while (!turning_.empty()) {
       const Index vertex = turning_.back();
       turning_.pop_back();
-      start_at(SurfacePoint::at_vertex(vertex), vertices_[vertex].distance, vertices_[vertex].source);
+      start_at(vertex);
     }
     const Index face = queue_.pop();
     if (face == no_index) return;
@@ -108,29 +106,27 @@ void VirtualSources::run(std::span<const ExactSource> sources, double max_distan
   }
 }
 
-void VirtualSources::reach_vertex(Index vertex, double distance, Index source) {
+void VirtualSources::reach_vertex(Index vertex, double distance) {
   VertexRecord& record = vertices_[vertex];
-  if (!(distance < record.distance) || distance > max_distance_) return;
+  if (!(distance < record.distance)) return;
   // Faces that meet in this vertex only are not reached across edges. The cosine is at hand, the fan is not.
   if (record.defect[0] > 1.0 && mesh_->fan(vertex) == Mesh::Fan::non_manifold &&
       distance < record.distance * (1.0 - 1e-12)) {
     turning_.push_back(vertex);
   }
   record.distance = distance;
-  record.source = source;
 }
 
-/// Gives a face a source that is nearer to its centroid. `reach`: how far the face is across.
-void VirtualSources::take(const FaceSource& found, double distance, double reach) {
+/// Gives a face a source that is nearer to its centroid.
+void VirtualSources::take(const FaceSource& found, double distance) {
   const Index face = Mesh::face_of(found.base);
   records_[face].distance = distance;
   faces_[face] = found;
-  // A face beyond the limit is not left again; one that the limit cuts is.
-  if (distance - reach <= max_distance_) queue_.push(face, distance);
+  queue_.push(face, distance);
 }
 
 /// Starts in a face that holds the point with these weights.
-void VirtualSources::start_in(Index face, const std::array<double, 3>& weights, double offset, Index id) {
+void VirtualSources::start_in(Index face, const std::array<double, 3>& weights, double offset) {
   // Over its longest side: over one of next to no length, the place of the apex would be rounding.
   const FaceRecord& record = records_[face];
   const auto side = static_cast<int>(std::ranges::max_element(record.length) - record.length.begin());
@@ -140,20 +136,19 @@ void VirtualSources::start_in(Index face, const std::array<double, 3>& weights, 
   found.at = {weights[(side + 1) % 3] * edge + at_apex * apex[0], at_apex * apex[1]};
   found.sigma = offset;
   found.base = 3 * face + side;
-  found.source = id;
-  reach_vertex(tail, offset + between(found.at, {0.0, 0.0}), id);
-  reach_vertex(head, offset + between(found.at, {edge, 0.0}), id);
-  reach_vertex(opposite, offset + between(found.at, apex), id);
+  reach_vertex(tail, offset + between(found.at, {0.0, 0.0}));
+  reach_vertex(head, offset + between(found.at, {edge, 0.0}));
+  reach_vertex(opposite, offset + between(found.at, apex));
   const double distance = offset + between(found.at, {(edge + apex[0]) / 3.0, apex[1] / 3.0});
-  if (is_nearer(face, distance)) take(found, distance, std::max(edge, apex[1]));
+  if (is_nearer(face, distance)) take(found, distance);
 }
 
-/// Starts in all faces that hold the point.
-void VirtualSources::start_at(const SurfacePoint& point, double offset, Index id) {
-  if (point.is_vertex()) reach_vertex(point.vertex, offset, id);
-  for_each_face_at(*mesh_, point, [&](Index face, const std::array<double, 3>& weights) {
-    start_in(face, weights, offset, id);
-  });
+/// Starts in all faces at a vertex that has been reached.
+void VirtualSources::start_at(Index vertex) {
+  for_each_face_at(*mesh_, SurfacePoint::at_vertex(vertex),
+                   [&](Index face, const std::array<double, 3>& weights) {
+                     start_in(face, weights, vertices_[vertex].distance);
+                   });
 }
 
 /// Hands the source of a face to all faces around it that are farther away, except through the edge by which
@@ -180,7 +175,7 @@ void VirtualSources::hand_on(Index face) {
         const VertexRecord& end = vertices_[other.vertex[g % 3]];
         std::array<double, 3> weights{};
         weights[g % 3] = 1.0;
-        if (end.distance < unreachable) start_in(Mesh::face_of(g), weights, end.distance, end.source);
+        if (end.distance < unreachable) start_in(Mesh::face_of(g), weights, end.distance);
         continue;
       }
       const double scale = 1.0 / length;
@@ -201,7 +196,6 @@ void VirtualSources::hand_on(Index face) {
       crossing.left = {moved(left.at), left.vertex};
       crossing.right = {moved(right.at), right.vertex};
       crossing.base = g;
-      crossing.source = own.source;
       enter(crossing);
     }
   }
@@ -222,14 +216,13 @@ void VirtualSources::enter(const FaceSource& crossing) {
     seen.right = {head, face.head};
   }
   const Reached at_apex = reached(seen, face, apex);
-  reach_vertex(face.opposite, at_apex.sigma + between(at_apex.at, apex), at_apex.source);
+  reach_vertex(face.opposite, at_apex.sigma + between(at_apex.at, apex));
   const PlanePoint centre{(face.edge + apex[0]) * (1.0 / 3.0), apex[1] * (1.0 / 3.0)};
   const Reached at_centre = reached(seen, face, centre);
   const double distance = at_centre.sigma + between(at_centre.at, centre);
   if (!is_nearer(Mesh::face_of(crossing.base), distance)) return;
   seen.at = at_centre.at;
   seen.sigma = at_centre.sigma;
-  seen.source = at_centre.source;
   const Bound tail_bound{{}, face.tail};
   const Bound head_bound{head, face.head};
   switch (at_centre.how) {
@@ -251,14 +244,14 @@ void VirtualSources::enter(const FaceSource& crossing) {
       seen.left = seen.right = {};
       break;
   }
-  take(seen, distance, std::max(face.edge, apex[1]));
+  take(seen, distance);
 }
 
 inline VirtualSources::Reached VirtualSources::reached(const FaceSource& seen, const FaceOver& face,
                                                        const PlanePoint& point) const {
   if (side(seen.at, seen.left.at, point) > 0.0) return beyond_bound(seen, face, true, point);
   if (side(seen.at, seen.right.at, point) < 0.0) return beyond_bound(seen, face, false, point);
-  return {seen.at, seen.sigma, seen.source, Reached::directly};
+  return {seen.at, seen.sigma, Reached::directly};
 }
 
 VirtualSources::Reached VirtualSources::beyond_bound(const FaceSource& seen, const FaceOver& face, bool left,
@@ -278,15 +271,14 @@ VirtualSources::Reached VirtualSources::beyond_bound(const FaceSource& seen, con
       const double aside = side(at, bound.at, point) * (left ? 1.0 : -1.0);
       const bool is_close = aside > 0.0 && aside <= max_aside * face.edge * beyond;
       if (is_close && side(at, {}, point) <= 0.0 && side(at, {face.edge, 0.0}, point) >= 0.0) {
-        return {at, seen.sigma, seen.source, left ? Reached::past_left : Reached::past_right};
+        return {at, seen.sigma, left ? Reached::past_left : Reached::past_right};
       }
     }
   }
   const Reached::How how = at_end ? Reached::round_end : Reached::round_bound;
   const double sigma = seen.sigma + beyond;
   // The vertex may have been reached by a shorter path.
-  if (vertex.distance < sigma) return {bound.at, vertex.distance, vertex.source, how};
-  return {bound.at, sigma, seen.source, how};
+  return {bound.at, std::min(vertex.distance, sigma), how};
 }
 
 std::size_t VirtualSources::memory_bytes() const {

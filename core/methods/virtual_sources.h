@@ -1,4 +1,4 @@
-// Distances with an error of some tenths of a percent, in a small part of the time of exact ones.
+// Virtual sources handed from face to face: errors of some tenths of a percent on scans.
 #pragma once
 
 #include <array>
@@ -25,13 +25,10 @@ class VirtualSources {
 
   const Mesh& mesh() const { return *mesh_; }
 
-  /// Propagates from points of the surface. Distances above max_distance become `unreachable`.
-  /// \throw Cancelled at a checkpoint, InvalidInput for a bad source.
-  void run(std::span<const ExactSource> sources, double max_distance = unreachable);
+  /// Propagates from some vertices. \throw Cancelled at a checkpoint.
+  void run(std::span<const Index> sources);
 
   double distance(Index vertex) const { return vertices_[mesh_->representative(vertex)].distance; }
-  /// Which source (position in the list given to run) a vertex belongs to; no_index if unreachable.
-  Index nearest_source(Index vertex) const { return vertices_[mesh_->representative(vertex)].source; }
   std::size_t memory_bytes() const;
 
  private:
@@ -48,7 +45,6 @@ class VirtualSources {
     double sigma = unreachable;  ///< how far it is from the real one
     Bound left, right;           ///< as seen from the source: on the side of the tail, and of the head
     Index base = no_index;
-    Index source = no_index;  ///< the real one
   };
   /// What a run reads of a face, in one line of the cache.
   struct alignas(64) FaceRecord {
@@ -63,7 +59,6 @@ class VirtualSources {
     /// Cosine and sine of its angle defect; a cosine above 1 where there is no other side.
     PlanePoint defect;
     double distance;
-    Index source;
   };
   /// A face over one of its edges, which lies on the x axis from its half-edge's tail.
   struct FaceOver {
@@ -79,13 +74,12 @@ class VirtualSources {
     enum How : std::uint8_t { directly, past_left, past_right, round_end, round_bound };
     PlanePoint at;
     double sigma;
-    Index source;
     How how;
   };
 
-  void start_in(Index face, const std::array<double, 3>& weights, double offset, Index id);
-  void start_at(const SurfacePoint& point, double offset, Index id);
-  void reach_vertex(Index vertex, double distance, Index source);
+  void start_in(Index face, const std::array<double, 3>& weights, double offset);
+  void start_at(Index vertex);
+  void reach_vertex(Index vertex, double distance);
   void hand_on(Index face);
   void enter(const FaceSource& crossing);
   Reached reached(const FaceSource& seen, const FaceOver& face, const PlanePoint& point) const;
@@ -95,14 +89,13 @@ class VirtualSources {
     // Without this threshold, negligible gains would circle a vertex forever.
     return distance < records_[face].distance * (1.0 - 1e-12);
   }
-  void take(const FaceSource& found, double distance, double reach);
+  void take(const FaceSource& found, double distance);
 
   std::shared_ptr<const Mesh> mesh_;
   std::vector<FaceRecord> records_;
   std::vector<VertexRecord> vertices_;
   std::vector<FaceSource> faces_;
   std::vector<Index> turning_;  ///< non-manifold vertices that were reached and have to emit
-  double max_distance_ = unreachable;
   BucketQueue queue_;
 };
 

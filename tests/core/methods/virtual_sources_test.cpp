@@ -1,5 +1,5 @@
 // Virtual sources: exact on a plane up to bends, good on curved surfaces.
-#include "exact/virtual_sources.h"
+#include "methods/virtual_sources.h"
 
 #include <gtest/gtest.h>
 
@@ -12,10 +12,10 @@
 namespace vorogeo {
 namespace {
 
-test::ErrorStatistics errors_of(VirtualSources& runs, const std::vector<ExactSource>& sources) {
-  runs.run(sources);
+test::ErrorStatistics errors_of(VirtualSources& runs, Index source) {
+  runs.run({&source, 1});
   ExactSolver exact(std::make_shared<const Mesh>(runs.mesh()));
-  exact.run(sources, {});
+  exact.run_from_vertices({&source, 1});
   test::ErrorCollector collector;
   for (Index v = 0; v < runs.mesh().vertex_count(); ++v) collector.add(runs.distance(v), exact.distance(v));
   EXPECT_EQ(collector.contradictions, 0U);
@@ -26,7 +26,7 @@ TEST(VirtualSources, AreExactOnAPlane) {
   // Seen past a vertex without angle defect, a source is where it is.
   const test::Shape shape = test::plane_grid(20, 16, 1.0, 0.8, 0.2, 3);
   VirtualSources runs(test::make_mesh(shape.soup));
-  const ExactSource source{SurfacePoint::at_vertex(175)};
+  const Index source = 175;
   runs.run({&source, 1});
   int exact = 0;
   for (Index v = 0; v < runs.mesh().vertex_count(); ++v) {
@@ -40,7 +40,7 @@ TEST(VirtualSources, AreExactOnAPlane) {
 
 TEST(VirtualSources, GoRoundTheEndsOfASlit) {
   VirtualSources runs(test::make_mesh(test::plane_with_slit(8).soup));
-  EXPECT_LT(errors_of(runs, {{SurfacePoint::at_vertex(3)}}).mean, 0.003);
+  EXPECT_LT(errors_of(runs, 3).mean, 0.003);
 }
 
 TEST(VirtualSources, PassAnEdgeOfNoLengthThatAloneLeadsOn) {
@@ -51,12 +51,12 @@ TEST(VirtualSources, PassAnEdgeOfNoLengthThatAloneLeadsOn) {
     soup.faces = {{0, 1, 2}, {1, 0, 3}};
     for (auto& face : soup.faces) std::ranges::rotate(face, face.begin() + turn);
     VirtualSources runs(test::make_mesh(soup));
-    const ExactSource source{SurfacePoint::at_vertex(2)};
+    const Index source = 2;
     runs.run({&source, 1});
     EXPECT_NEAR(runs.distance(0), 1.0, 1e-14);
     EXPECT_NEAR(runs.distance(1), 1.0, 1e-14);
     EXPECT_NEAR(runs.distance(3), 3.0, 1e-14);
-    const ExactSource end{SurfacePoint::at_vertex(0)};
+    const Index end = 0;
     runs.run({&end, 1});
     EXPECT_NEAR(runs.distance(2), 1.0, 1e-14);
     EXPECT_NEAR(runs.distance(3), 2.0, 1e-14);
@@ -65,9 +65,9 @@ TEST(VirtualSources, PassAnEdgeOfNoLengthThatAloneLeadsOn) {
 
 TEST(VirtualSources, AreWithinThreeTenthsOfAPercentOnSmoothSurfaces) {
   VirtualSources sphere(test::make_mesh(test::icosphere(5)));
-  EXPECT_LT(errors_of(sphere, {{SurfacePoint::at_vertex(7)}}).mean, 0.003);
+  EXPECT_LT(errors_of(sphere, 7).mean, 0.003);
   VirtualSources hills(test::make_mesh(test::hills(40, 0.4)));
-  EXPECT_LT(errors_of(hills, {{SurfacePoint::at_vertex(7)}}).mean, 0.005);
+  EXPECT_LT(errors_of(hills, 7).mean, 0.005);
 }
 
 TEST(VirtualSources, RefuseLengthsWhoseProductsOverflow) {
