@@ -49,6 +49,7 @@ using vorogeo::check_mesh;
 using vorogeo::CutMesh;
 using vorogeo::hiking_time;
 using vorogeo::IndexOptions;
+using vorogeo::name_of;
 using vorogeo::path_through;
 using vorogeo::PointList;
 using vorogeo::Query;
@@ -57,7 +58,6 @@ using vorogeo::Surface;
 using vorogeo::SurfacePoint;
 using vorogeo::TaskOptions;
 using vorogeo::tighten;
-using vorogeo::to_string;
 using vorogeo::travel_time;
 }  // namespace inner
 
@@ -131,7 +131,7 @@ inline std::vector<SurfacePoint> points_out(const Mesh& mesh,
 /// The method and the progress of any of the public options.
 template <class Options>
 inner::TaskOptions core_options(const Options& options) {
-  return {.by = static_cast<AnswerMethod>(options.by), .progress = Progress(options.progress)};
+  return {.by = options.by, .progress = Progress(options.progress)};
 }
 
 /// How and where a question is asked, and then what answered it.

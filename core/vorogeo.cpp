@@ -84,7 +84,7 @@ std::shared_ptr<const Mesh> mesh_of(std::vector<Point> positions, std::vector<st
 
 }  // namespace
 
-const char* to_string(Answer answer) { return inner::to_string(static_cast<AnswerMethod>(answer)); }
+const char* to_string(Answer answer) { return inner::name_of(answer); }
 
 MeshReport check_mesh(const std::vector<Point>& positions, const std::vector<std::array<int, 3>>& faces,
                       double gap) {
@@ -171,7 +171,7 @@ Field Surface::field(const PointList& sources, const FieldOptions& options) cons
     if (options.labels) field.label = InputMap(at.mesh).of_vertices(std::move(found.source));
     field.expected_error = at.answered.expected_error;
     field.unreached = at.answered.unreached;
-    field.answered_by = static_cast<Answer>(at.answered.by);
+    field.answered_by = at.answered.by;
     field.remark = std::move(at.answered.remark);
     return field;
   });
@@ -320,7 +320,7 @@ void Surface::load_index(const std::filesystem::path& file) {
 // ---- The questions of one thread
 
 struct Query::State {
-  State(std::shared_ptr<inner::Surface> asked_surface, AnswerMethod method, bool is_chosen)
+  State(std::shared_ptr<inner::Surface> asked_surface, Answer method, bool is_chosen)
       : surface(std::move(asked_surface)), by(method), is_automatic(is_chosen), query(*surface) {}
   inner::SurfacePoint in(const SurfacePoint& point) const {
     const Mesh& mesh = *surface->mesh();
@@ -330,14 +330,14 @@ struct Query::State {
     return points_on(*surface->mesh(), points_in(*surface->mesh(), points), what);
   }
   /// Exactly what reaches a small part of the surface, as Surface answers it.
-  AnswerMethod within(double limit, std::size_t sources) const {
-    if (!is_automatic || by == AnswerMethod::exact) return by;
+  Answer within(double limit, std::size_t sources) const {
+    if (!is_automatic || by == Answer::exact) return by;
     const double reach = static_cast<double>(sources) * surface->reach_of(limit);
-    return reach <= surface->short_reach() ? AnswerMethod::exact : by;
+    return reach <= surface->short_reach() ? Answer::exact : by;
   }
 
   std::shared_ptr<inner::Surface> surface;
-  AnswerMethod by;
+  Answer by;
   bool is_automatic;
   inner::Query query;
 };
@@ -350,7 +350,7 @@ Query Surface::query(Answer by) const {
   const auto surface = state_->current();
   const bool is_automatic = by == Answer::automatic;
   if (is_automatic) by = surface->index() ? Answer::index : Answer::exact;
-  return Query(std::make_unique<Query::State>(surface, static_cast<AnswerMethod>(by), is_automatic));
+  return Query(std::make_unique<Query::State>(surface, by, is_automatic));
 }
 
 Query::Query(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -358,7 +358,7 @@ Query::Query(Query&&) noexcept = default;
 Query& Query::operator=(Query&&) noexcept = default;
 Query::~Query() = default;
 
-Answer Query::answers_by() const { return static_cast<Answer>(state_->by); }
+Answer Query::answers_by() const { return state_->by; }
 
 std::vector<double> Query::distances_from(const PointList& sources, double limit) {
   return translated([&] {
@@ -366,7 +366,7 @@ std::vector<double> Query::distances_from(const PointList& sources, double limit
     require_limit(limit);
     std::vector<ExactSource> from;
     for (const auto& point : state_->in(sources, "Source")) from.push_back({point});
-    const AnswerMethod by = state_->within(limit, from.size());
+    const Answer by = state_->within(limit, from.size());
     return InputMap(*state_->surface->mesh()).of_vertices(state_->query.field(from, limit, by, 1));
   });
 }

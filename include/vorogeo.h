@@ -119,15 +119,6 @@ struct SurfaceOptions {
   int threads = 0;
 };
 
-/// How a question is answered.
-enum class Answer : std::uint8_t {
-  automatic,  ///< by what costs least: exactly what reaches a small part of the surface; all else by the
-              ///< index if there is one, otherwise exactly until an index has become worth its build; but
-              ///< fields of more than two million vertices are quick without an index
-  index,      ///< by the index, which is built if there is none
-  exact,      ///< by exact propagation over the faces
-  quick       ///< fields only: below a tenth of a percent off in the mean, on scans in a quarter of the time
-};
 /// "automatic", "index", "exact" or "quick".
 VOROGEO_API const char* to_string(Answer answer);
 

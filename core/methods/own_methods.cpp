@@ -24,11 +24,10 @@ class IndexFields final : public GeodesicMethod {
 
  private:
   std::vector<double> solve(std::span<const Index> sources, const Progress&) override {
-    return query_.field(sources_at(sources), unreachable, AnswerMethod::index, surface_.threads());
+    return query_.field(sources_at(sources), unreachable, Answer::index, surface_.threads());
   }
   double solve_pair(Index source, Index target) override {
-    return query_.distance(SurfacePoint::at_vertex(source), SurfacePoint::at_vertex(target),
-                           AnswerMethod::index);
+    return query_.distance(SurfacePoint::at_vertex(source), SurfacePoint::at_vertex(target), Answer::index);
   }
 
   Surface surface_;

@@ -11,8 +11,8 @@
 
 namespace vorogeo {
 
-const char* to_string(AnswerMethod method) {
-  return std::array{"automatic", "index", "exact", "quick"}.at(static_cast<std::size_t>(method));
+const char* name_of(Answer answer) {
+  return std::array{"automatic", "index", "exact", "quick"}.at(static_cast<std::size_t>(answer));
 }
 
 PathQuery& Query::mesh_paths() {
@@ -34,10 +34,10 @@ constexpr double quick_tolerance = 5e-3;
 
 }  // namespace
 
-const LocalSolver& Query::solved(std::span<const ExactSource> sources, double max_distance, AnswerMethod by,
+const LocalSolver& Query::solved(std::span<const ExactSource> sources, double max_distance, Answer by,
                                  int threads, bool distances_only, const Progress& progress) {
   ExactLimits limits;
-  if (by == AnswerMethod::quick) {
+  if (by == Answer::quick) {
     require_agreeing_faces(*surface_.mesh(), "Quick distances");
     limits.merge_tolerance = quick_tolerance;
   }
@@ -118,10 +118,10 @@ std::vector<double> field_of(const Solver& solver, const Levelled& from, std::ve
 
 }  // namespace
 
-std::vector<double> Query::field(std::span<const ExactSource> sources, double max_distance, AnswerMethod by,
+std::vector<double> Query::field(std::span<const ExactSource> sources, double max_distance, Answer by,
                                  int threads, std::vector<Index>* labels, const Progress& progress) {
   const Levelled from(*surface_.mesh(), sources, max_distance);
-  if (by == AnswerMethod::index) {
+  if (by == Answer::index) {
     const Watch watch(progress, "Geodesic distances");
     return field_of(index_field(sources, max_distance, threads, labels != nullptr), from, labels);
   }
@@ -140,7 +140,7 @@ std::vector<double> Query::field_of_lines(std::span<const ExactSource> sources,
 }
 
 std::vector<double> Query::distances(std::span<const ExactSource> sources, const PointList& targets,
-                                     double max_distance, AnswerMethod by) {
+                                     double max_distance, Answer by) {
   std::vector<double> result;
   result.reserve(targets.size());
   if (targets.only_vertices()) {
@@ -154,18 +154,18 @@ std::vector<double> Query::distances(std::span<const ExactSource> sources, const
 }
 
 std::function<double(const SurfacePoint&)> Query::field_at_points(std::span<const ExactSource> sources,
-                                                                  double max_distance, AnswerMethod by) {
+                                                                  double max_distance, Answer by) {
   const auto from = std::make_shared<const Levelled>(*surface_.mesh(), sources, max_distance);
   const auto read = [from](const auto& solver) {
     return
         [from, &solver](const SurfacePoint& point) { return from->distance(point, solver.distance(point)); };
   };
-  if (by == AnswerMethod::index) return read(index_field(sources, max_distance, 1, false));
+  if (by == Answer::index) return read(index_field(sources, max_distance, 1, false));
   return read(solved(from->sources, from->max_distance, by, 1, false));
 }
 
-double Query::distance(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod by) {
-  if (by == AnswerMethod::index && source.is_vertex() && target.is_vertex()) {
+double Query::distance(const SurfacePoint& source, const SurfacePoint& target, Answer by) {
+  if (by == Answer::index && source.is_vertex() && target.is_vertex()) {
     if (!index_pairs_) index_pairs_.emplace(surface_.index()->data());
     return index_pairs_->distance(source.vertex, target.vertex);
   }
@@ -183,9 +183,9 @@ ExactPath raised(const Mesh& mesh, const SurfacePoint& source, const SurfacePoin
 
 }  // namespace
 
-ExactPath Query::path(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod by, bool exact,
+ExactPath Query::path(const SurfacePoint& source, const SurfacePoint& target, Answer by, bool exact,
                       bool certify) {
-  if (by != AnswerMethod::index) {
+  if (by != Answer::index) {
     return raised(*surface_.mesh(), source, target, mesh_paths().exact_path(source, target));
   }
   if (!index_paths_) index_paths_.emplace(surface_.index());
@@ -239,10 +239,10 @@ LogMap vectors_to(const Mesh& mesh, const std::optional<PointList>& targets, con
 }  // namespace
 
 LogMap Query::log_map(const TangentFrame& frame, const std::optional<PointList>& targets, double max_distance,
-                      AnswerMethod by, int threads, const Progress& progress) {
+                      Answer by, int threads, const Progress& progress) {
   if (targets && targets->empty()) return {};
   const std::array source{ExactSource{frame.point()}};
-  if (by == AnswerMethod::index) {
+  if (by == Answer::index) {
     const Watch watch(progress, "Geodesic directions");
     const InnerFrame inner(surface_.index()->data(), frame);
     const IndexField& field = index_field(source, max_distance, threads, false, &inner.frame());
@@ -302,7 +302,7 @@ std::vector<Turn> Query::first_turns(const PointList& targets) const {
 std::vector<Tangent> Query::gradient(std::span<const ExactSource> sources,
                                      const std::optional<PointList>& points, double max_distance,
                                      const Progress& progress) {
-  const LocalSolver& solver = solved(sources, max_distance, AnswerMethod::exact, 1, false, progress);
+  const LocalSolver& solver = solved(sources, max_distance, Answer::exact, 1, false, progress);
   const auto geometry = surface_.geometry();
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const auto at = [&](const SurfacePoint& point) -> Tangent {
@@ -327,8 +327,8 @@ std::vector<Tangent> Query::gradient(std::span<const ExactSource> sources,
 void Query::last_legs(const SurfacePoint& from, double max_distance, const Progress& progress,
                       const std::function<void(Index, const PointList&)>& visit) {
   const Mesh& mesh = *surface_.mesh();
-  const LocalSolver& solver = solved(std::array{ExactSource{from}}, max_distance, AnswerMethod::exact, 1,
-                                     false, progress.part(0.0, 0.7));
+  const LocalSolver& solver =
+      solved(std::array{ExactSource{from}}, max_distance, Answer::exact, 1, false, progress.part(0.0, 0.7));
   std::vector<std::uint8_t> is_visited(mesh.vertex_count(), 0);
   if (from.is_vertex()) is_visited[mesh.representative(from.vertex)] = 1;
   std::vector<Index> order;
@@ -356,7 +356,7 @@ void Query::last_legs(const SurfacePoint& from, double max_distance, const Progr
 }
 
 Ridge Query::ridge(std::span<const ExactSource> sources, double max_distance, const Progress& progress) {
-  return solved(sources, max_distance, AnswerMethod::exact, 1, false, progress).ridge();
+  return solved(sources, max_distance, Answer::exact, 1, false, progress).ridge();
 }
 
 void Query::exact_paths(const SurfacePoint& source, std::span<const SurfacePoint> targets,

@@ -14,19 +14,12 @@
 #include "query/index_field.h"
 #include "query/pair_distance.h"
 #include "query/path_query.h"
+#include "vorogeo/results.h"
 
 namespace vorogeo {
 
-/// How an answer is found.
-enum class AnswerMethod : std::uint8_t {
-  automatic,  ///< a request only: whichever is expected to be fastest; exact if both are near
-  index,      ///< the index, built if there is none
-  exact,      ///< exact propagation
-  quick       ///< merged windows (ExactLimits::merge_tolerance); fields only
-};
-
 /// "automatic", "index", "exact" or "quick".
-const char* to_string(AnswerMethod method);
+const char* name_of(Answer answer);
 
 class Surface;
 
@@ -54,8 +47,8 @@ class Query {
   /// See Surface::field. Shape (n); `unreachable` above max_distance. `threads`: as resolved by the caller;
   /// no answer depends on it beyond rounding. `labels`: if not null, receives the position of the nearest
   /// source in the list, by vertex; no_index where there is none.
-  std::vector<double> field(std::span<const ExactSource> sources, double max_distance, AnswerMethod by,
-                            int threads, std::vector<Index>* labels = nullptr, const Progress& progress = {});
+  std::vector<double> field(std::span<const ExactSource> sources, double max_distance, Answer by, int threads,
+                            std::vector<Index>* labels = nullptr, const Progress& progress = {});
   /// Of the field that was asked last, by the method exact: see WeightedSolver::expected_error.
   double expected_error() { return solver_ ? solver_->expected_error() : 0.0; }
   /// The same from segments as well, whose ends are all among the sources: see ExactLimits::segments. Exact.
@@ -65,20 +58,19 @@ class Query {
   /// The values of a field at some points. In a face an index interpolates them from the corners, but has
   /// exact ones where a source is near (IndexField::distance).
   std::vector<double> distances(std::span<const ExactSource> sources, const PointList& targets,
-                                double max_distance, AnswerMethod by);
+                                double max_distance, Answer by);
   /// The same as a function of the point, which must not outlive the next question to this query.
   std::function<double(const SurfacePoint&)> field_at_points(std::span<const ExactSource> sources,
-                                                             double max_distance, AnswerMethod by);
+                                                             double max_distance, Answer by);
   /// Distance of two points, symmetric: from the index that of PairDistance for two vertices, otherwise the
   /// length of path().
-  double distance(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod by);
+  double distance(const SurfacePoint& source, const SurfacePoint& target, Answer by);
   /// See Surface::path.
-  ExactPath path(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod by, bool exact,
-                 bool certify);
+  ExactPath path(const SurfacePoint& source, const SurfacePoint& target, Answer by, bool exact, bool certify);
   /// From the point of a frame to all vertices, or to some points; distances above max_distance are
   /// `unreachable`. \pre The metric does not jump around the point; `by` is not quick.
   LogMap log_map(const TangentFrame& frame, const std::optional<PointList>& targets, double max_distance,
-                 AnswerMethod by, int threads, const Progress& progress);
+                 Answer by, int threads, const Progress& progress);
   /// Where the paths of the last exact log_map() to its targets turn, if they do.
   std::vector<Turn> first_turns(const PointList& targets) const;
   /// Of distances from the nearest of some sources, at all vertices or at some points: see vorogeo::gradient.
@@ -99,8 +91,8 @@ class Query {
   PathQuery& mesh_paths();
   const IndexField& index_field(std::span<const ExactSource> sources, double max_distance, int threads,
                                 bool wants_labels, const TangentFrame* directions = nullptr);
-  const LocalSolver& solved(std::span<const ExactSource> sources, double max_distance, AnswerMethod by,
-                            int threads, bool distances_only, const Progress& progress = {});
+  const LocalSolver& solved(std::span<const ExactSource> sources, double max_distance, Answer by, int threads,
+                            bool distances_only, const Progress& progress = {});
   const LocalSolver& solved(std::span<const ExactSource> sources, const ExactLimits& limits);
 
   Surface& surface_;

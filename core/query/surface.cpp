@@ -39,8 +39,8 @@ constexpr std::size_t distances_at_once = 64;
 /// The part of a question's progress that the build of an index takes.
 constexpr double build_share = 0.9;
 
-void refuse_quick(AnswerMethod method) {
-  if (method != AnswerMethod::quick) return;
+void refuse_quick(Answer method) {
+  if (method != Answer::quick) return;
   throw InvalidInput("The quick method computes fields only; choose another one for two points.");
 }
 
@@ -207,11 +207,11 @@ double Surface::reach_of(double distance) {
 
 // ---- What answers
 
-AnswerMethod Surface::at_once(bool is_field) const {
-  if (index()) return AnswerMethod::index;
+Answer Surface::at_once(bool is_field) const {
+  if (index()) return Answer::index;
   const bool is_quick = is_field && !mesh_->metric_jumps() && !mesh_->is_one_way() &&
                         mesh_->vertex_count() > max_vertices_at_once;
-  return is_quick ? AnswerMethod::quick : AnswerMethod::exact;
+  return is_quick ? Answer::quick : Answer::exact;
 }
 
 /// Leaves the question the progress from where the build has come, also where that fails.
@@ -237,9 +237,9 @@ void Surface::build_for_question(Answered& answered, Progress& progress) {
 
 /// The index, built if the price has been paid in exact answers, or would be with what an index saves of
 /// them: as much as so many whole fields take; below `many_fields`: with one more. Otherwise exact.
-AnswerMethod Surface::rent_or_build(double saved_fields, Answered& answered, Progress& progress) {
+Answer Surface::rent_or_build(double saved_fields, Answered& answered, Progress& progress) {
   const bool is_long = saved_fields >= many_fields;
-  if (spent().has_given_up()) return AnswerMethod::exact;
+  if (spent().has_given_up()) return Answer::exact;
   try {
     if (is_long ? !field_seconds() : spent().wants_price()) {
       const BuildEstimate estimate = estimate_build(mesh_, options_, is_long, progress.part(0.0, 0.0));
@@ -248,13 +248,13 @@ AnswerMethod Surface::rent_or_build(double saved_fields, Answered& answered, Pro
       if (is_long) field_seconds_ = estimate.exact_field_seconds;
     }
     const double next = is_long ? saved_fields * *field_seconds() / threads_ : 0.0;
-    if (!spent().should_buy(next)) return AnswerMethod::exact;
+    if (!spent().should_buy(next)) return Answer::exact;
     build_for_question(answered, progress);
     answered.remark = is_long ? "An index is expected to take less than the exact answers that were asked "
                                 "for: it was built and gives all further answers."
                               : "Exact answers have taken as long as building an index: it was built and "
                                 "gives all further answers.";
-    return AnswerMethod::index;
+    return Answer::index;
   } catch (const InvalidInput& error) {
     answered.remark = std::string("No index is built, answers stay exact: ") + error.what();
   } catch (const NotEnoughMemory& error) {
@@ -262,17 +262,16 @@ AnswerMethod Surface::rent_or_build(double saved_fields, Answered& answered, Pro
   }
   const std::lock_guard lock(mutex_);
   spent_.give_up();
-  return AnswerMethod::exact;
+  return Answer::exact;
 }
 
-AnswerMethod Surface::choose(AnswerMethod method, double fields, double reach, Answered& answered,
-                             Progress& progress) {
-  if (fields <= 0.0 && !index()) return AnswerMethod::exact;  // nothing is asked, so nothing is built
-  if (method == AnswerMethod::index && !index()) build_for_question(answered, progress);
-  if (method != AnswerMethod::automatic) return method;
-  if (mesh_->is_one_way()) return AnswerMethod::exact;
-  if (reach <= short_reach()) return AnswerMethod::exact;
-  if (index()) return AnswerMethod::index;
+Answer Surface::choose(Answer method, double fields, double reach, Answered& answered, Progress& progress) {
+  if (fields <= 0.0 && !index()) return Answer::exact;  // nothing is asked, so nothing is built
+  if (method == Answer::index && !index()) build_for_question(answered, progress);
+  if (method != Answer::automatic) return method;
+  if (mesh_->is_one_way()) return Answer::exact;
+  if (reach <= short_reach()) return Answer::exact;
+  if (index()) return Answer::index;
   // What an index saves: its own fields take as long as short ones.
   return rent_or_build(fields * (reach - short_reach()), answered, progress);
 }
@@ -291,7 +290,7 @@ Index count_unreached(const Mesh& mesh, std::span<const ExactSource> sources,
   return count;
 }
 
-LabelledField Surface::field(std::span<const ExactSource> sources, double max_distance, AnswerMethod method,
+LabelledField Surface::field(std::span<const ExactSource> sources, double max_distance, Answer method,
                              Answered& answered, const Progress& progress) {
   if (sources.empty()) throw InvalidInput("There is no source: give at least one.");
   require_limit(max_distance);
@@ -301,8 +300,8 @@ LabelledField Surface::field(std::span<const ExactSource> sources, double max_di
   const double reach = std::min(1.0, static_cast<double>(sources.size()) * reach_of(max_distance));
   const bool is_large =
       mesh_->vertex_count() > max_vertices_exact && !mesh_->metric_jumps() && !mesh_->is_one_way();
-  if (method == AnswerMethod::automatic && is_large && reach > short_reach() && !index()) {
-    answered.by = AnswerMethod::quick;
+  if (method == Answer::automatic && is_large && reach > short_reach() && !index()) {
+    answered.by = Answer::quick;
     answered.remark = "This mesh has more than " + std::to_string(max_vertices_exact) +
                       " vertices: the field is a quick one, with an error below a tenth of a percent in the "
                       "mean; ask for the method exact or index for a better one.";
@@ -314,11 +313,11 @@ LabelledField Surface::field(std::span<const ExactSource> sources, double max_di
   found.distance = lend([&](Query& query) {
     auto distance = query.field(sources, max_distance, answered.by, threads_, &found.source, rest);
     answered.seconds = watch.seconds();
-    if (answered.by == AnswerMethod::exact) answered.expected_error = query.expected_error();
+    if (answered.by == Answer::exact) answered.expected_error = query.expected_error();
     return distance;
   });
   answered.unreached = count_unreached(*mesh_, sources);
-  if (answered.by == AnswerMethod::exact) {
+  if (answered.by == Answer::exact) {
     pay_for_fields(watch.rent(threads_for_field(*mesh_, threads_)), reach);
   }
   return found;
@@ -326,14 +325,14 @@ LabelledField Surface::field(std::span<const ExactSource> sources, double max_di
 
 // ---- Two points, and many pairs of points
 
-AnswerMethod Surface::choose_for_pairs(AnswerMethod method, Answered& answered, Progress& progress) {
+Answer Surface::choose_for_pairs(Answer method, Answered& answered, Progress& progress) {
   refuse_quick(method);
   return choose(method, 1.0, 1.0, answered, progress);
 }
 
 /// ask(query, method, from, to) for one pair, in canonical form.
 template <class Ask>
-auto Surface::answer_pair(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod method,
+auto Surface::answer_pair(const SurfacePoint& source, const SurfacePoint& target, Answer method,
                           const char* activity, Answered& answered, const Progress& progress, Ask&& ask) {
   const SurfacePoint from = canonical(*mesh_, validated(*mesh_, source));
   const SurfacePoint to = canonical(*mesh_, validated(*mesh_, target));
@@ -344,38 +343,38 @@ auto Surface::answer_pair(const SurfacePoint& source, const SurfacePoint& target
   const Watch reports(rest, activity);
   auto found = lend([&](Query& query) { return ask(query, answered.by, from, to); });
   answered.seconds = watch.seconds();
-  if (answered.by == AnswerMethod::exact) pay(watch.rent(1));
+  if (answered.by == Answer::exact) pay(watch.rent(1));
   return found;
 }
 
-ExactPath Surface::path(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod method,
+ExactPath Surface::path(const SurfacePoint& source, const SurfacePoint& target, Answer method,
                         const PathOptions& options, Answered& answered, const Progress& progress) {
   return answer_pair(source, target, method, "Shortest path", answered, progress,
-                     [&](Query& query, AnswerMethod by, const SurfacePoint& from, const SurfacePoint& to) {
+                     [&](Query& query, Answer by, const SurfacePoint& from, const SurfacePoint& to) {
                        return query.path(from, to, by, options.exact, options.certify);
                      });
 }
 
-double Surface::distance(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod method,
+double Surface::distance(const SurfacePoint& source, const SurfacePoint& target, Answer method,
                          Answered& answered, const Progress& progress) {
   return answer_pair(source, target, method, "Distance", answered, progress,
-                     [](Query& query, AnswerMethod by, const SurfacePoint& from, const SurfacePoint& to) {
+                     [](Query& query, Answer by, const SurfacePoint& from, const SurfacePoint& to) {
                        return query.distance(from, to, by);
                      });
 }
 
 /// On all threads, for each pair: answer(query, method, pair), or take(pair, path) where one propagation
 /// serves all targets of a source. `at_once`: pairs that a thread takes at a time.
-template <class Answer, class Take>
-void Surface::answer_pairs(const PointPairs& pairs, AnswerMethod method, std::size_t at_once,
-                           Answered& answered, const Progress& progress, Answer&& answer, Take&& take) {
+template <class Ask, class Take>
+void Surface::answer_pairs(const PointPairs& pairs, Answer method, std::size_t at_once, Answered& answered,
+                           const Progress& progress, Ask&& answer, Take&& take) {
   const auto& [sources, targets] = pairs;
   const std::size_t count = sources.size();
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{0});
   answered = {};
   if (count == 0) return;
-  std::optional<AnswerMethod> ordered_for;
+  std::optional<Answer> ordered_for;
   // Exact answers come in rounds, as after each of them an index may pay.
   std::size_t done = 0;
   Progress progress_left = progress;
@@ -385,7 +384,7 @@ void Surface::answer_pairs(const PointPairs& pairs, AnswerMethod method, std::si
     answered.by = now.by;
     answered.index_seconds += now.index_seconds;
     if (!now.remark.empty()) answered.remark = now.remark;
-    const bool by_index = now.by == AnswerMethod::index;
+    const bool by_index = now.by == Answer::index;
     const std::span rest = std::span(order).subspan(done);
     if (ordered_for != now.by && rest.size() > 1) {
       order_pairs(rest, sources, targets, by_index ? index().get() : nullptr);
@@ -396,7 +395,7 @@ void Surface::answer_pairs(const PointPairs& pairs, AnswerMethod method, std::si
       bool is_shared;
     };
     std::vector<Block> blocks;
-    const bool is_last = by_index || method != AnswerMethod::automatic;
+    const bool is_last = by_index || method != Answer::automatic;
     const auto most_blocks = static_cast<std::size_t>(4 * threads_);
     std::size_t end = 0;
     while (end < rest.size() && (is_last || blocks.size() < most_blocks)) {
@@ -427,7 +426,7 @@ void Surface::answer_pairs(const PointPairs& pairs, AnswerMethod method, std::si
       });
     });
     answered.seconds += watch.seconds();
-    if (now.by == AnswerMethod::exact) pay(watch.rent(threads_));
+    if (now.by == Answer::exact) pay(watch.rent(threads_));
     done += end;
   } while (done < count);
 }
@@ -449,20 +448,19 @@ struct CheckedPairs {
 
 }  // namespace
 
-std::vector<ExactPath> Surface::paths(const PointPairs& given, AnswerMethod method,
-                                      const PathOptions& options, Answered& answered,
-                                      const Progress& progress) {
+std::vector<ExactPath> Surface::paths(const PointPairs& given, Answer method, const PathOptions& options,
+                                      Answered& answered, const Progress& progress) {
   refuse_quick(method);
   const CheckedPairs pairs(*mesh_, given);
   std::vector<ExactPath> found(pairs.sources.size());
   Progress rest = progress;
-  const bool is_proof = options.exact && options.certify && method != AnswerMethod::exact;
+  const bool is_proof = options.exact && options.certify && method != Answer::exact;
   Answered first;
   double landmark_seconds = 0.0;
   // Where the metric jumps, nothing bounds a path.
   if (is_proof && found.size() >= pairs_worth_landmarks && !landmarks() && !mesh_->metric_jumps()) {
     Progress before = progress.part(0.0, 0.5);
-    if (choose_for_pairs(method, first, before) == AnswerMethod::index) {
+    if (choose_for_pairs(method, first, before) == Answer::index) {
       const Stopwatch watch;
       use_landmarks(landmarks_of(index(), ExactLandmarks::max_count, threads_, before));
       landmark_seconds = watch.seconds();
@@ -471,7 +469,7 @@ std::vector<ExactPath> Surface::paths(const PointPairs& given, AnswerMethod meth
   }
   answer_pairs(
       pairs.pairs(), method, paths_at_once, answered, rest,
-      [&](Query& query, AnswerMethod by, std::size_t i) {
+      [&](Query& query, Answer by, std::size_t i) {
         found[i] = query.path(pairs.sources[i], pairs.targets[i], by, options.exact, options.certify);
       },
       [&](std::size_t i, ExactPath path) { found[i] = std::move(path); });
@@ -481,14 +479,14 @@ std::vector<ExactPath> Surface::paths(const PointPairs& given, AnswerMethod meth
   return found;
 }
 
-std::vector<double> Surface::distances(const PointPairs& given, AnswerMethod method, Answered& answered,
+std::vector<double> Surface::distances(const PointPairs& given, Answer method, Answered& answered,
                                        const Progress& progress) {
   refuse_quick(method);
   const CheckedPairs pairs(*mesh_, given);
   std::vector<double> found(pairs.sources.size());
   answer_pairs(
       pairs.pairs(), method, distances_at_once, answered, progress,
-      [&](Query& query, AnswerMethod by, std::size_t i) {
+      [&](Query& query, Answer by, std::size_t i) {
         found[i] = query.distance(pairs.sources[i], pairs.targets[i], by);
       },
       [&](std::size_t i, const ExactPath& path) { found[i] = path.path.length; });

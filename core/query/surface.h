@@ -27,10 +27,10 @@ inline constexpr Index max_vertices_at_once = 50000;
 
 /// What answered, and what that took.
 struct Answered {
-  AnswerMethod by = AnswerMethod::exact;  ///< never automatic
-  double seconds = 0.0;                   ///< of the answer alone
-  double index_seconds = 0.0;             ///< of an index that was built for it; 0 if none was
-  std::string remark;                     ///< what a user should know about the choice; empty if nothing
+  Answer by = Answer::exact;   ///< never automatic
+  double seconds = 0.0;        ///< of the answer alone
+  double index_seconds = 0.0;  ///< of an index that was built for it; 0 if none was
+  std::string remark;          ///< what a user should know about the choice; empty if nothing
   /// Of the distances of a field, relative, in the mean: 0 but for rounding where nothing jumps; NaN if it is
   /// not by the method exact.
   double expected_error = std::numeric_limits<double>::quiet_NaN();
@@ -91,29 +91,29 @@ class Surface {
   RentOrBuy spent() const;
   /// What answers without a noticeable wait and builds nothing: the index if there is one; otherwise paths
   /// and fields are exact, and on meshes of more than max_vertices_at_once vertices fields are quick.
-  AnswerMethod at_once(bool is_field) const;
+  Answer at_once(bool is_field) const;
 
   /// For every vertex the least sum of a source's offset and the distance from it, and which source that is;
   /// sums above max_distance are
   /// `unreachable`. \throw InvalidInput as IndexField::run; Cancelled.
-  LabelledField field(std::span<const ExactSource> sources, double max_distance, AnswerMethod method,
+  LabelledField field(std::span<const ExactSource> sources, double max_distance, Answer method,
                       Answered& answered, const Progress& progress = {});
   /// The shortest path between two points. From the index the refined one, or the exact one if that is
   /// wanted; without an index always the exact one. \throw InvalidInput for a point that is not on the mesh,
   /// and for the quick method, which has no paths; Cancelled.
-  ExactPath path(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod method,
+  ExactPath path(const SurfacePoint& source, const SurfacePoint& target, Answer method,
                  const PathOptions& options, Answered& answered, const Progress& progress = {});
   /// The paths of many pairs, on all threads. Many exact ones are bounded by landmarks, and those from one
   /// source share a propagation, where that pays. \throw as path(), also for lists of different lengths.
-  std::vector<ExactPath> paths(const PointPairs& pairs, AnswerMethod method, const PathOptions& options,
+  std::vector<ExactPath> paths(const PointPairs& pairs, Answer method, const PathOptions& options,
                                Answered& answered, const Progress& progress = {});
   /// Distance of two points: from the index that of PairDistance for two vertices, otherwise the length
   /// of that path.
-  double distance(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod method,
-                  Answered& answered, const Progress& progress = {});
+  double distance(const SurfacePoint& source, const SurfacePoint& target, Answer method, Answered& answered,
+                  const Progress& progress = {});
   /// The distances of many pairs, on all threads; pairs that read the same tables follow one another. \throw
   /// as paths().
-  std::vector<double> distances(const PointPairs& pairs, AnswerMethod method, Answered& answered,
+  std::vector<double> distances(const PointPairs& pairs, Answer method, Answered& answered,
                                 const Progress& progress = {});
 
   /// Lower bounds by which exact paths are found from now on, where there is an index; null: only their own.
@@ -122,8 +122,7 @@ class Surface {
 
   /// What answers a task of so many fields, each of which reaches the part `reach` of the surface (0 to 1).
   /// An index that is needed has been built when it returns. `progress`: receives what is left of it.
-  AnswerMethod choose(AnswerMethod method, double fields, double reach, Answered& answered,
-                      Progress& progress);
+  Answer choose(Answer method, double fields, double reach, Answered& answered, Progress& progress);
   /// The part of the surface within a distance from a point, as in the plane.
   double reach_of(double distance);
   /// A field from the index takes as long as an exact one over about this part of the surface, which is the
@@ -148,17 +147,17 @@ class Surface {
   }
 
  private:
-  AnswerMethod choose_for_pairs(AnswerMethod method, Answered& answered, Progress& progress);
-  AnswerMethod rent_or_build(double saved_fields, Answered& answered, Progress& progress);
+  Answer choose_for_pairs(Answer method, Answered& answered, Progress& progress);
+  Answer rent_or_build(double saved_fields, Answered& answered, Progress& progress);
   void build_for_question(Answered& answered, Progress& progress);
   void pay(double seconds);
   std::optional<double> field_seconds() const;
   template <class Ask>
-  auto answer_pair(const SurfacePoint& source, const SurfacePoint& target, AnswerMethod method,
+  auto answer_pair(const SurfacePoint& source, const SurfacePoint& target, Answer method,
                    const char* activity, Answered& answered, const Progress& progress, Ask&& ask);
-  template <class Answer, class Take>
-  void answer_pairs(const PointPairs& pairs, AnswerMethod method, std::size_t at_once, Answered& answered,
-                    const Progress& progress, Answer&& answer, Take&& take);
+  template <class Ask, class Take>
+  void answer_pairs(const PointPairs& pairs, Answer method, std::size_t at_once, Answered& answered,
+                    const Progress& progress, Ask&& answer, Take&& take);
 
   const std::shared_ptr<const Mesh> mesh_;
   const IndexOptions options_;

@@ -134,16 +134,15 @@ std::vector<std::array<Point, 3>> tangent_frames(Surface& surface, const PointLi
 LogMap log_map(Surface& surface, const SurfacePoint& point, const std::optional<PointList>& targets,
                double max_distance, const TaskOptions& options) {
   require_limit(max_distance);
-  if (options.by == AnswerMethod::quick)
+  if (options.by == Answer::quick)
     throw InvalidInput("The quick method has no directions; choose exact, or an index.");
   const TangentFrame frame = frames_at(surface, std::vector{point}).front();
   std::optional<PointList> ends;
   if (targets) ends = points_on(*surface.mesh(), *targets, "Target");
   Answered answered;
   Progress rest = options.progress;
-  answered.by = options.by == AnswerMethod::index
-                    ? surface.choose(AnswerMethod::index, 1.0, 1.0, answered, rest)
-                    : AnswerMethod::exact;
+  answered.by =
+      options.by == Answer::index ? surface.choose(Answer::index, 1.0, 1.0, answered, rest) : Answer::exact;
   const Stopwatch watch;
   LogMap found = surface.lend([&](Query& query) {
     return query.log_map(frame, ends, max_distance, answered.by, surface.threads(), rest);

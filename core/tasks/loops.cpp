@@ -148,7 +148,7 @@ class LoopTask {
       : mesh(*surface.mesh()), surface_(surface), options_(options), watch_(options.progress, "Loop") {
     const std::string what = closed ? "loops" : "paths by guides";
     require_agreeing_faces(mesh, closed ? "Loops" : "Paths by guides");
-    if (options.by == AnswerMethod::quick) {
+    if (options.by == Answer::quick) {
       throw InvalidInput("The quick method has no " + what + "; choose automatic, index or exact.");
     }
   }
@@ -401,7 +401,7 @@ std::vector<SurfacePoint> LoopClasses::loop_across(Index edge) const {
 SurfacePath shortest_of_classes(Surface& surface, LoopTask& task, const SurfacePoint& point) {
   const ExactSource source{point};
   Answered answered;
-  const auto field = surface.field(std::span(&source, 1), unreachable, AnswerMethod::exact, answered);
+  const auto field = surface.field(std::span(&source, 1), unreachable, Answer::exact, answered);
   LoopClasses around(task.mesh, point, field.distance);
   PathRefiner refiner(task.geometry());
   SurfacePath shortest{{}, unreachable};
@@ -419,7 +419,7 @@ SurfacePath loop_like(Surface& surface, LoopTask& task, const SurfacePoint& poin
                       std::vector<SurfacePoint> line) {
   const ExactSource source{point};
   const auto apart = surface.lend([&](Query& query) {
-    return query.distances(std::span(&source, 1), PointList(line), unreachable, AnswerMethod::exact);
+    return query.distances(std::span(&source, 1), PointList(line), unreachable, Answer::exact);
   });
   const auto nearest = std::ranges::min_element(apart) - apart.begin();
   const SurfacePath leg = task.leg(point, line[nearest]);

@@ -116,7 +116,7 @@ class Descent {
     Place place{TangentFrame(geometry_, point)};
     const LogMap map = surface_.lend([&](Query& query) {
       const Progress step = progress_.part(0.0, part_of_step);
-      LogMap found = query.log_map(place.frame, points_, reach, AnswerMethod::exact, threads_, step);
+      LogMap found = query.log_map(place.frame, points_, reach, Answer::exact, threads_, step);
       progress_ = progress_.part(part_of_step, 1.0);
       place.turns = query.first_turns(points_);
       return found;
@@ -397,7 +397,7 @@ Centre centre_of(Surface& surface, const PointList& given, std::span<const doubl
   agreeing_geometry(surface, pulling[0]);
   const Stopwatch watch;
   {
-    Workers workers(surface, {AnswerMethod::automatic, options.progress.part(0.0, 0.3)},
+    Workers workers(surface, {Answer::automatic, options.progress.part(0.0, 0.3)},
                     expected_rows(points.size()));
     const auto energy = least_energies(workers, points, weights, power, {}, workers.progress());
     const double least = *std::ranges::min_element(energy);
@@ -417,7 +417,7 @@ Centre centre_of(Surface& surface, const PointList& given, std::span<const doubl
                            options.progress.part(share(i), share(i + 1)));
     if (i > 0) {
       Answered ignored;
-      const double apart = surface.distance(found.point, best.point, AnswerMethod::exact, ignored);
+      const double apart = surface.distance(found.point, best.point, Answer::exact, ignored);
       const bool is_equal = std::abs(found.energy - best.energy) <= tie * best.energy;
       const double mean = best.energy / total;
       const double near = least_measured_move * (power == Power::two ? std::sqrt(mean) : mean);

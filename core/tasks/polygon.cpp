@@ -221,8 +221,7 @@ class GiftWrapping {
   }
   LogMap seen_from(const TangentFrame& frame) {
     return surface_.lend([&](Query& query) {
-      return query.log_map(frame, PointList(points_), unreachable, AnswerMethod::exact, surface_.threads(),
-                           {});
+      return query.log_map(frame, PointList(points_), unreachable, Answer::exact, surface_.threads(), {});
     });
   }
 

@@ -34,7 +34,7 @@ void report_exact(const TaskOptions& options, const Stopwatch& watch) {
 }
 
 void require_exact(const TaskOptions& options, const std::string& what) {
-  if (options.by != AnswerMethod::index && options.by != AnswerMethod::quick) return;
+  if (options.by != Answer::index && options.by != Answer::quick) return;
   throw InvalidInput(what + " exact: an index and the quick method have none.");
 }
 
@@ -50,7 +50,7 @@ Workers::Workers(Surface& surface, const TaskOptions& options, double fields, do
       progress_(options.progress),
       reach_(reach),
       uncaught_(std::uncaught_exceptions()) {
-  if (options.by == AnswerMethod::quick && !may_be_quick) {
+  if (options.by == Answer::quick && !may_be_quick) {
     throw InvalidInput(
         "The quick method answers single fields only; choose automatic, index or exact for a task.");
   }

@@ -22,7 +22,7 @@ inline constexpr double bounded_field_slack = 1.02;
 
 /// What every task takes.
 struct TaskOptions {
-  AnswerMethod by = AnswerMethod::automatic;  ///< quick only where a task says so
+  Answer by = Answer::automatic;  ///< quick only where a task says so
   Progress progress{};
   Answered* answered = nullptr;  ///< if not null, receives what answered
 };
@@ -56,7 +56,7 @@ class Workers {
 
   const Mesh& mesh() const { return *surface_.mesh(); }
   int threads() const { return surface_.threads(); }
-  bool is_exact() const { return answered_.by == AnswerMethod::exact; }
+  bool is_exact() const { return answered_.by == Answer::exact; }
   /// What is left of the task's progress after an index was built.
   const Progress& progress() const { return progress_; }
 

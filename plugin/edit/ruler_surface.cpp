@@ -105,8 +105,8 @@ RulerAnswer answer_of(const Placement& placement, Find&& find) {
 
 }  // namespace
 
-const char* name_of(AnswerMethod how, bool is_path) {
-  return how == AnswerMethod::index && is_path ? "refined" : to_string(how);
+const char* name_of(Answer how, bool is_path) {
+  return how == Answer::index && is_path ? "refined" : name_of(how);
 }
 
 std::vector<double> round_values(double largest) {
@@ -184,9 +184,9 @@ SurfacePoint RulerSurface::on_border(const Point& at) {
 SurfacePath RulerSurface::find_path(const SurfacePoint& source, const SurfacePoint& target, bool is_last,
                                     RulerAnswer& answer, const Progress& progress) {
   const auto surface = layer_->surface();
-  const AnswerMethod by = surface->at_once(false);
-  answer.how = is_last ? AnswerMethod::exact : by;
-  if (by != AnswerMethod::exact) {
+  const Answer by = surface->at_once(false);
+  answer.how = is_last ? Answer::exact : by;
+  if (by != Answer::exact) {
     exact_paths_.reset();
     Answered answered;
     return surface->path(source, target, by, {.exact = is_last}, answered, progress).path;
@@ -234,9 +234,7 @@ void RulerSurface::preview(const std::vector<SurfacePoint>& points, bool is_clos
   if (fixed.size() > 1) add(fixed_path_);
   add_leg(points.size() - 2, points.size() - 1);
   if (is_closed && points.size() > 2) {
-    add(surface
-            ->path(points.back(), points.front(), AnswerMethod::exact, {}, *options.answered,
-                   options.progress)
+    add(surface->path(points.back(), points.front(), Answer::exact, {}, *options.answered, options.progress)
             .path);
   }
   answer.values = {{is_closed ? Quantity::perimeter : Quantity::length, length}};
@@ -257,7 +255,7 @@ void RulerSurface::measure_disk(const std::vector<SurfacePoint>& points, bool is
   const std::array centre{ExactSource{points[0]}};
   // Far enough that all faces at the border have distances at all corners.
   const double reach = radius + 2.0 * mesh.longest_edge_length();
-  const auto field = surface->field(centre, reach, AnswerMethod::exact, *options.answered, options.progress);
+  const auto field = surface->field(centre, reach, Answer::exact, *options.answered, options.progress);
   answer.lines.lines = isolines(mesh, field.distance, std::array{radius}, Interpolation::distance).lines;
   answer.lines.along.assign(answer.lines.lines.points.size(), radius);
 }
@@ -295,7 +293,7 @@ RulerAnswer RulerSurface::measure(MeasureKind kind, const std::vector<Picked>& p
     const Mesh& mesh = *surface->mesh();
     answer.points = positions_of(mesh, points);
     Answered answered;
-    const TaskOptions options{AnswerMethod::exact, progress, &answered};
+    const TaskOptions options{Answer::exact, progress, &answered};
     const auto add_line = [&](const SurfacePath& path) { append(answer.lines, lines_of(mesh, path)); };
     switch (kind) {
       case MeasureKind::distance:

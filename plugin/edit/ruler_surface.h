@@ -92,7 +92,7 @@ struct Picked {
 
 /// What answered, as the dock and tables say it: "exact", "quick"; "refined" for paths of the index, which is
 /// named for its fields.
-const char* name_of(AnswerMethod how, bool is_path);
+const char* name_of(Answer how, bool is_path);
 
 /// Values for isolines: multiples of a round step, 1, 2 or 5 times a power of ten, some ten to twenty of
 /// them.
@@ -104,7 +104,7 @@ struct RulerAnswer {
   bool is_field = false;
   bool is_straight = false;    ///< only the straight line between two points, shown until the path is there
   bool is_on_surface = false;  ///< all that was picked; otherwise nothing else is meant to be read
-  AnswerMethod how = AnswerMethod::exact;
+  Answer how = Answer::exact;
   double seconds = 0.0;
   std::string error;  ///< a sentence; empty if there is none
 

@@ -592,7 +592,7 @@ void RulerTool::say(const std::string& sentence, bool is_logged) {
 /// Of a path: whether it is the exact one, or something in its place.
 void RulerTool::show_what_is_shown() {
   if (dock_ == nullptr || !live_ || live_->is_field || live_->values.empty()) return;
-  const bool is_refined = live_->how == AnswerMethod::index;
+  const bool is_refined = live_->how == Answer::index;
   dock_->show_status(live_->is_straight ? "Preview: the straight line; the exact path follows."
                      : is_refined       ? "Preview: refined, from the index; exact once it ends."
                                         : "Exact.");

@@ -172,7 +172,7 @@ class RulerTool : public QObject, public EditTool {
   bool is_new_ = false;  ///< an answer has not been painted yet
   bool is_preparing_ = false;
   DragLog log_;
-  AnswerMethod drag_method_ = AnswerMethod::exact;  ///< of the last answer before the end
+  Answer drag_method_ = Answer::exact;  ///< of the last answer before the end
 
   // Last, so that their threads end before anything else is destroyed.
   Background preparation_;  ///< of an index

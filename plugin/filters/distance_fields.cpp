@@ -99,7 +99,7 @@ Results about_reach(const FilterCall& call, const Reach& reach, const char* limi
 /// Returns source_points where there are numbers, otherwise source_vertices (0 for a point in a face);
 /// seconds (of the distances alone); and what about_reach() and about_answer() do.
 Results write_distance_field(FilterCall& call, LayerSurface& layer, const std::vector<ExactSource>& sources,
-                             AnswerMethod method, const std::vector<Index>& numbers = {}) {
+                             Answer method, const std::vector<Index>& numbers = {}) {
   const double limit = max_distance_of(call);
   const auto mesh = layer.mesh();
   const auto ask = [&](Surface& surface, Answered& by, const Progress& progress) {
@@ -179,7 +179,7 @@ FilterRow field_row(const char* menu_name, const char* python_name, const QStrin
 
 constexpr const char* start_meaning = "Where distances start: at the nearest point of the surface";
 
-Results distances_from_point(FilterCall& call, AnswerMethod method) {
+Results distances_from_point(FilterCall& call, Answer method) {
   const auto layer = layer_of(call);
   const SnappedPoint start = start_point(call, *layer);
   Results results = write_distance_field(call, *layer, {{start.point}}, method);
@@ -187,7 +187,7 @@ Results distances_from_point(FilterCall& call, AnswerMethod method) {
   return results;
 }
 
-Results distances_from_selection(FilterCall& call, AnswerMethod method) {
+Results distances_from_selection(FilterCall& call, Answer method) {
   const auto layer = layer_of(call);
   const auto selected = selected_vertices(call, *layer, "where distances shall start");
   return write_distance_field(call, *layer, sources_at(selected), method);
@@ -291,7 +291,7 @@ Results signed_distances(FilterCall& call) {
     return signed_distance(surface, lines, unreachable,
                            {options.by, options.progress.part(0.2, 1.0), options.answered});
   };
-  auto [field, answered, results] = ask_task_by(AnswerMethod::exact, call, *layer, "Signed distances", ask);
+  auto [field, answered, results] = ask_task_by(Answer::exact, call, *layer, "Signed distances", ask);
   double inside = 0.0, outside = 0.0;
   int unreached = 0;
   for (Index v = 0; v < mesh->given_vertex_count(); ++v) {
@@ -387,7 +387,7 @@ Results directions_from_point(FilterCall& call) {
   const SnappedPoint start = start_point(call, *layer);
   const auto ask = [&](Surface& surface, Answered& answered, const Progress& progress) {
     return log_map(surface, start.point, std::nullopt, radius > 0.0 ? radius : unreachable,
-                   {AnswerMethod::exact, progress, &answered});
+                   {Answer::exact, progress, &answered});
   };
   auto answer = ask_surface(call, *layer, "Geodesic directions", ask);
   LogMap& map = answer.found;
@@ -520,14 +520,14 @@ std::vector<FilterRow> distance_rows() {
           [](const MeshDocument& document) {
             return list_of(start_parameters(document, start_meaning), field_parameters(document));
           },
-          [](FilterCall& call) { return distances_from_point(call, AnswerMethod::exact); }),
+          [](FilterCall& call) { return distances_from_point(call, Answer::exact); }),
       field_row("Exact geodesic distance from the selection (VoroGeo)",
                 "compute_scalar_by_exact_geodesic_distance_from_selection_per_vertex",
                 "<p>Exact geodesic distance of every vertex from the nearest selected vertex: the length of "
                 "the shortest path over the surface.</p>" +
                     exact,
                 field_parameters,
-                [](FilterCall& call) { return distances_from_selection(call, AnswerMethod::exact); }),
+                [](FilterCall& call) { return distances_from_selection(call, Answer::exact); }),
       field_row(
           "Geodesic distance from the points or lines of a layer (VoroGeo)",
           "compute_scalar_by_vorogeo_distance_from_layer_per_vertex",

@@ -76,19 +76,19 @@ struct FieldTask {
 };
 
 /// From the index, which is built if there is none, or exact.
-MethodField surface_field(const FieldTask& task, AnswerMethod by) {
+MethodField surface_field(const FieldTask& task, Answer by) {
   FilterCall call = task.call;
   call.progress = task.progress;
   MethodField field;
   const auto ask = [&](Surface& surface, Answered& answered, const Progress& progress) {
     const Stopwatch preparing;
-    if (by == AnswerMethod::exact) surface.geometry();
+    if (by == Answer::exact) surface.geometry();
     field.build_seconds = preparing.seconds();
     const std::array sources{ExactSource{SurfacePoint::at_vertex(task.source)}};
     return surface.field(sources, unreachable, by, answered, progress).distance;
   };
   auto answer = ask_surface(call, task.layer, task.activity, ask);
-  if (by == AnswerMethod::index) field.build_seconds = answer.answered.index_seconds;
+  if (by == Answer::index) field.build_seconds = answer.answered.index_seconds;
   rest_if_large(task.layer, answer.answered, task.layer.mesh()->vertex_count());
   field.seconds = answer.answered.seconds;
   field.distances = std::move(answer.found);
@@ -129,8 +129,8 @@ const std::vector<ComparedMethod>& compared_methods() {
   using Task = const FieldTask&;
   static const std::vector<ComparedMethod> methods = [] {
     std::vector<ComparedMethod> all{
-        {"VoroGeo index", [](Task task) { return surface_field(task, AnswerMethod::index); }},
-        {"Exact (VoroGeo)", [](Task task) { return surface_field(task, AnswerMethod::exact); }},
+        {"VoroGeo index", [](Task task) { return surface_field(task, Answer::index); }},
+        {"Exact (VoroGeo)", [](Task task) { return surface_field(task, Answer::exact); }},
         {"Fast marching (MeshLab)", [](Task task) { return host_field(task, fast_marching_field); }},
         {"Heat method (MeshLab)", [](Task task) { return host_field(task, heat_field); }},
         {"Shortest edge path (Dijkstra)", [](Task task) { return host_field(task, edge_graph_field); }}};

@@ -46,7 +46,7 @@ Results distance_between_points(FilterCall& call) {
   const auto mesh = layer->mesh();
   const EndPoints ends = end_points(call, *layer);
   const auto& [source, target] = ends;
-  const AnswerMethod method = method_of(call);
+  const Answer method = method_of(call);
   const auto ask = [&](Surface& surface, Answered& answered, const Progress& progress) {
     return surface.distance(source.point, target.point, method, answered, progress);
   };
@@ -134,7 +134,7 @@ Results draw_path(FilterCall& call) {
   const auto& [source, target] = ends;
   const bool exact = call.parameters.getBool("exact");
   const bool certify = call.parameters.getBool("certify");
-  const AnswerMethod method = method_of(call);
+  const Answer method = method_of(call);
   const auto ask = [&](Surface& surface, Answered& answered, const Progress& progress) {
     return surface.path(source.point, target.point, method, {exact, certify}, answered, progress);
   };
@@ -161,7 +161,7 @@ Results draw_path_through(FilterCall& call) {
   const bool closed = call.parameters.getBool("closed");
   return add_path_layer(
       call, "Geodesic path", *layer, points,
-      ask_task_by(AnswerMethod::automatic, call, *layer, "Shortest path through points",
+      ask_task_by(Answer::automatic, call, *layer, "Shortest path through points",
                   call.parameters.getBool("guides") ? tighten : path_through, points.points, closed));
 }
 
@@ -178,8 +178,8 @@ Results draw_smooth_curve(FilterCall& call) {
   const TaskPoints points = task_points(call, *layer, "that the curve shall pass through");
   const bool closed = call.parameters.getBool("closed");
   return add_path_layer(call, "Smooth curve", *layer, points,
-                        ask_task_by(AnswerMethod::automatic, call, *layer, "Smooth curve through points",
-                                    spline, points.points, closed, samples));
+                        ask_task_by(Answer::automatic, call, *layer, "Smooth curve through points", spline,
+                                    points.points, closed, samples));
 }
 
 // ---- Filters: closed curves pulled tight, and shortest loops through a point, as polyline layers
@@ -187,9 +187,9 @@ Results draw_smooth_curve(FilterCall& call) {
 Results draw_tight_curve(FilterCall& call) {
   const auto layer = layer_of(call);
   const TaskPoints curve = curve_in_order(call, *layer);
-  return add_path_layer(call, "Tight curve", *layer, curve,
-                        ask_task_by(AnswerMethod::automatic, call, *layer, "Pulling the curve tight", tighten,
-                                    curve.points, true));
+  return add_path_layer(
+      call, "Tight curve", *layer, curve,
+      ask_task_by(Answer::automatic, call, *layer, "Pulling the curve tight", tighten, curve.points, true));
 }
 
 RichParameterList loop_parameters(const MeshDocument& document) {
@@ -204,8 +204,8 @@ Results draw_shortest_loop(FilterCall& call) {
   const auto layer = layer_of(call);
   const SnappedPoint start = start_point(call, *layer);
   const TaskPoints like = curve_is_selected(call) ? TaskPoints() : curve_in_order(call, *layer);
-  auto [loop, answered, results] = ask_task_by(AnswerMethod::exact, call, *layer, "Shortest loop",
-                                               shortest_loop, start.point, like.points);
+  auto [loop, answered, results] =
+      ask_task_by(Answer::exact, call, *layer, "Shortest loop", shortest_loop, start.point, like.points);
   results.merge(add_path_layer(call, "Shortest loop", *layer->mesh(), loop));
   results.merge(about_start(*layer, *layer->mesh(), start));
   results["curve_snap_distance"] = like.snap_distance;
@@ -269,8 +269,7 @@ Results draw_profile(FilterCall& call) {
     const auto locate = [&]() -> const SurfaceLocator& { return *layer->locator(); };
     return profile(*mesh, locate, path.points, up, layer->placement().is_mirrored());
   };
-  auto [found, answered, results] =
-      ask_task_by(AnswerMethod::automatic, call, *layer, "Profile of a curve", ask);
+  auto [found, answered, results] = ask_task_by(Answer::automatic, call, *layer, "Profile of a curve", ask);
   write_csv(call, file, csv_of(found));
   std::vector<double> shown = found.*profile_columns[static_cast<std::size_t>(quality)].values;
   for (double& value : shown) value = std::isfinite(value) ? value : quality_without_distance;
@@ -307,7 +306,7 @@ Results draw_girth(FilterCall& call) {
   std::optional<Point> normal = vector_of(call, "normal");
   if (normal == Point{}) normal.reset();
   auto [limb, answered, results] =
-      ask_task_by(AnswerMethod::exact, call, *layer, "Girth", girth, start.point, normal);
+      ask_task_by(Answer::exact, call, *layer, "Girth", girth, start.point, normal);
   std::vector<Point> tape = limb.tape;
   tape.push_back(tape.front());
   const auto add = [&](const char* name, const PathLines& line, bool make_current) {

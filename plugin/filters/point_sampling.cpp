@@ -109,7 +109,7 @@ Results mean_of_points(FilterCall& call) {
   const TaskPoints points = task_points(call, *layer, "whose mean is wanted");
   const bool median = call.parameters.getBool("median");
   auto [centre, answered, results] =
-      ask_task_by(AnswerMethod::exact, call, *layer, "Mean of points", centre_of, points.points,
+      ask_task_by(Answer::exact, call, *layer, "Mean of points", centre_of, points.points,
                   std::span<const double>(), median ? Power::one : Power::two);
   const HostPlace place = layer->host_place(*mesh, centre.point);
   const char* name = median ? "Geometric median" : "Frechet mean";

@@ -114,7 +114,7 @@ Results draw_cut_locus(FilterCall& call) {
   const auto mesh = layer->mesh();
   const TaskPoints sources = task_points(call, *layer, "at which paths begin");
   auto [locus, answered, results] =
-      ask_task_by(AnswerMethod::exact, call, *layer, "Cut locus", cut_locus, sources.points,
+      ask_task_by(Answer::exact, call, *layer, "Cut locus", cut_locus, sources.points,
                   degrees / 180.0 * std::numbers::pi, unreachable);
   const SurfaceLines lines{positions_of(*mesh, locus.points), std::move(locus.edges)};
   const std::string of = "Cut locus of " + std::to_string(sources.size()) + " " + sources.what + ": ";
@@ -282,7 +282,7 @@ Results cut_along_curve(FilterCall& call) {
     return cut_along(*surface.mesh(), {path.path.points}, options.progress);
   };
   auto [cut, answered, results] =
-      ask_task_by(AnswerMethod::automatic, call, *layer, "Cutting along the curve", cut_by);
+      ask_task_by(Answer::automatic, call, *layer, "Cutting along the curve", cut_by);
   // Those that the curve does not touch are left out.
   std::map<Index, std::vector<Index>> faces_of;
   for (std::size_t f = 0; f < cut.faces.size(); ++f) {
@@ -423,7 +423,7 @@ Results measure_region(FilterCall& call) {
     for (const auto is_selected : selected_region(call, *layer)) label.push_back(is_selected ? 0 : no_index);
     log_warnings(call, *layer);
     found = run_ticking(call.progress, "Area of a region", [&](const Progress& progress) {
-      return region_areas(*mesh, label, 1, {AnswerMethod::automatic, progress}).front();
+      return region_areas(*mesh, label, 1, {Answer::automatic, progress}).front();
     });
     results["snap_distance"] = 0.0;
   } else {
@@ -432,7 +432,7 @@ Results measure_region(FilterCall& call) {
     const auto ask = [&](Surface& surface, const TaskOptions& options) {
       return enclosed_area(*mesh, closed_line(surface, curve, options), {options.by, options.progress});
     };
-    auto answer = ask_task_by(AnswerMethod::automatic, call, *layer, "Area of a region", ask);
+    auto answer = ask_task_by(Answer::automatic, call, *layer, "Area of a region", ask);
     found = answer.found;
     results = std::move(answer.about);
     results["snap_distance"] = curve.snap_distance;
@@ -465,7 +465,7 @@ Results draw_polygon(FilterCall& call) {
   const bool cut_out = call.parameters.getBool("cut_out");
   const bool is_hull = call.parameters.getBool("convex_hull");
   auto [polygon, answered, results] =
-      ask_task_by(AnswerMethod::automatic, call, *layer, "Polygon of shortest paths",
+      ask_task_by(Answer::automatic, call, *layer, "Polygon of shortest paths",
                   is_hull ? convex_hull : geodesic_polygon, corners.points);
   SurfacePath border;
   for (const ExactPath& leg : polygon.legs) {

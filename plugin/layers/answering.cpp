@@ -79,7 +79,7 @@ std::shared_ptr<const GeodesicIndex> build_index(FilterCall& call, LayerSurface&
 
 namespace {
 
-/// By AnswerMethod.
+/// By Answer.
 constexpr const char* answered_by[] = {"", "the index", "exact propagation", "merged windows (quick)"};
 
 /// Of an answer whose solvers are kept.
@@ -88,17 +88,16 @@ constexpr Index max_vertices_kept = 1000000;
 }  // namespace
 
 void rest_if_large(LayerSurface& layer, const Answered& answered, Index vertices) {
-  if (answered.by != AnswerMethod::index && vertices > max_vertices_kept) layer.rest();
+  if (answered.by != Answer::index && vertices > max_vertices_kept) layer.rest();
 }
 
 RichEnum method_parameter() {
   QStringList names;
-  for (const AnswerMethod method :
-       {AnswerMethod::automatic, AnswerMethod::index, AnswerMethod::exact, AnswerMethod::quick}) {
-    names.append(to_string(method));
+  for (const Answer method : {Answer::automatic, Answer::index, Answer::exact, Answer::quick}) {
+    names.append(name_of(method));
   }
   return RichEnum(
-      "method", static_cast<int>(AnswerMethod::automatic), names, "Method",
+      "method", static_cast<int>(Answer::automatic), names, "Method",
       "automatic: the index if this mesh has one, else exact answers, until these have taken as long as "
       "building an index would; then it is built. index: builds it at once. exact: no errors, no "
       "index. quick: a field with errors below a tenth of a percent in the mean, on scans in a quarter of "
@@ -106,12 +105,12 @@ RichEnum method_parameter() {
       "time.");
 }
 
-AnswerMethod method_of(const FilterCall& call) {
+Answer method_of(const FilterCall& call) {
   const int number = call.parameters.getEnum("method");
-  if (number < 0 || number > static_cast<int>(AnswerMethod::quick)) {
+  if (number < 0 || number > static_cast<int>(Answer::quick)) {
     refuse(call, "method", number, ". Give automatic, index, exact or quick, or its number from 0 to 3.");
   }
-  return static_cast<AnswerMethod>(number);
+  return static_cast<Answer>(number);
 }
 
 Results about_answer(FilterCall& call, LayerSurface& layer, bool had_index, const Answered& answered) {
@@ -119,7 +118,7 @@ Results about_answer(FilterCall& call, LayerSurface& layer, bool had_index, cons
   if (const auto index = layer.index(); index && !had_index) log_statistics(call, index->statistics());
   Results results = {{"answered_by", static_cast<int>(answered.by)}};
   std::string line = std::string("Answered by ") + answered_by[static_cast<int>(answered.by)];
-  if (answered.by == AnswerMethod::index) {
+  if (answered.by == Answer::index) {
     if (had_index) line += ": reused, the mesh has not changed since it was built";
     results["index_reused"] = had_index;
     results["index_seconds"] = answered.index_seconds;

@@ -43,7 +43,7 @@ std::shared_ptr<const GeodesicIndex> build_index(FilterCall& call, LayerSurface&
 
 /// The parameter method, the same in all filters that have it, and its value.
 RichEnum method_parameter();
-AnswerMethod method_of(const FilterCall& call);
+Answer method_of(const FilterCall& call);
 
 /// What a surface found, and what a filter returns about that: answered_by, the number of its choice in the
 /// parameter; from the index also index_reused and index_seconds.
@@ -86,7 +86,7 @@ auto ask_surface(FilterCall& call, LayerSurface& layer, const std::string& activ
 template <class Task, class... Arguments>
 auto ask_task(FilterCall& call, LayerSurface& layer, const char* activity, Task&& task,
               const Arguments&... arguments) {
-  const AnswerMethod by = call.parameters.getBool("exact") ? AnswerMethod::exact : AnswerMethod::automatic;
+  const Answer by = call.parameters.getBool("exact") ? Answer::exact : Answer::automatic;
   return ask_surface(call, layer, activity,
                      [&](Surface& surface, Answered& answered, const Progress& progress) {
                        return task(surface, arguments..., TaskOptions{by, progress, &answered});
@@ -95,7 +95,7 @@ auto ask_task(FilterCall& call, LayerSurface& layer, const char* activity, Task&
 
 /// By what the caller names. Large solvers are freed, and seconds are returned, too.
 template <class Task, class... Arguments>
-auto ask_task_by(AnswerMethod by, FilterCall& call, LayerSurface& layer, const char* activity, Task&& task,
+auto ask_task_by(Answer by, FilterCall& call, LayerSurface& layer, const char* activity, Task&& task,
                  const Arguments&... arguments) {
   auto answer =
       ask_surface(call, layer, activity, [&](Surface& surface, Answered& answered, const Progress& progress) {

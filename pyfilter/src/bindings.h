@@ -83,8 +83,8 @@ class PathArrays {
 using About = std::tuple<std::string, double, double, std::string, double, Index>;
 
 inline About about(const Answered& answered) {
-  return {to_string(answered.by), answered.seconds,        answered.index_seconds,
-          answered.remark,        answered.expected_error, answered.unreached};
+  return {name_of(answered.by), answered.seconds,        answered.index_seconds,
+          answered.remark,      answered.expected_error, answered.unreached};
 }
 
 /// How arguments of a type are taken: None for a value that is missing, and no copy of what is filled.
@@ -95,7 +95,7 @@ inline const auto taken<const std::optional<Value>&> = nb::arg().none();
 template <class Entry>
 inline const auto taken<const OutArray<Entry>&> = nb::arg().noconvert();
 
-/// Binds a question as Python asks it, by a method (AnswerMethod) and with a progress function or None at the
+/// Binds a question as Python asks it, by a method (Answer) and with a progress function or None at the
 /// end. It is called without the GIL and returns a tuple, to which what answered is added.
 template <class... Parts, class... Arguments>
 void bind_question(nb::class_<HeldSurface>& surface, const char* name,
@@ -104,7 +104,7 @@ void bind_question(nb::class_<HeldSurface>& surface, const char* name,
     Answered answered;
     ProgressBridge bridge(progress);
     auto found = bridge.run([&](const Progress& report) {
-      return question({static_cast<AnswerMethod>(method), report, &answered}, held, arguments...);
+      return question({static_cast<Answer>(method), report, &answered}, held, arguments...);
     });
     const auto tuple = [&](auto&... parts) {
       return std::make_tuple(to_python(std::move(parts))..., about(answered));

@@ -101,8 +101,7 @@ std::pair<double, double> vertex_distance(const HeldSurface& self, Index source,
   nb::gil_scoped_release release;
   const Stopwatch watch;
   const double found = self.surface->lend([&](Query& query) {
-    return query.distance(SurfacePoint::at_vertex(source), SurfacePoint::at_vertex(target),
-                          AnswerMethod::index);
+    return query.distance(SurfacePoint::at_vertex(source), SurfacePoint::at_vertex(target), Answer::index);
   });
   return {found, watch.seconds()};
 }

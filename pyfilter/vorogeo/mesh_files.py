@@ -19,7 +19,8 @@ from .errors import FileError, InvalidInput
 from .mesh_objects import of_meshio
 from .results import MeshArrays
 
-_FREESURFER = (".white", ".pial", ".inflated", ".sphere", ".orig", ".smoothwm", ".midthickness", ".reg")
+#: Endings of surfaces of FreeSurfer.
+FREESURFER = (".white", ".pial", ".inflated", ".sphere", ".orig", ".smoothwm", ".midthickness", ".reg")
 
 
 # Of what meshio reads into one array, the names in PLY files.
@@ -81,7 +82,7 @@ def _readers(path: Path) -> Iterator[tuple[str, str, Callable[[str], tuple[Any, 
     name = path.name.lower().removesuffix(".gz")
     if name.endswith(".gii"):
         yield "nibabel", "nibabel", _read_gifti
-    elif name.startswith(("lh.", "rh.")) or name.endswith(_FREESURFER):
+    elif name.startswith(("lh.", "rh.")) or name.endswith(FREESURFER):
         yield "nibabel", "nibabel", _read_freesurfer
     else:
         yield "meshio", "meshio", _read_with_meshio

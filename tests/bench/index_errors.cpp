@@ -96,7 +96,7 @@ struct Quick {
 };
 
 Quick quick(const MeshPointer& mesh, const std::vector<ExactField>& exact) {
-  using vorogeo::AnswerMethod;
+  using vorogeo::Answer;
   Quick result;
   vorogeo::Surface surface(mesh, {.threads = 1});
   vorogeo::Query query(surface);
@@ -104,13 +104,13 @@ Quick quick(const MeshPointer& mesh, const std::vector<ExactField>& exact) {
   for (const bool again : {false, true}) {
     for (const ExactField& one : exact) {
       std::vector<double> found;
-      const auto ask = [&](AnswerMethod by) {
+      const auto ask = [&](Answer by) {
         const std::vector<vorogeo::ExactSource> sources = vorogeo::sources_at(std::span(&one.source, 1));
-        seconds[by == AnswerMethod::exact] +=
+        seconds[by == Answer::exact] +=
             cpu_seconds([&] { found = query.field(sources, vorogeo::unreachable, by, 1); });
       };
-      ask(AnswerMethod::exact);
-      ask(AnswerMethod::quick);
+      ask(Answer::exact);
+      ask(Answer::quick);
       for (Index v = 0; again && v < mesh->vertex_count(); ++v) result.errors.add(found[v], one.distances[v]);
     }
     if (!again) seconds[0] = seconds[1] = 0.0;

@@ -241,10 +241,8 @@ class Ask {
     if (build.small) options.form = IndexForm::graph;
     return options;
   }
-  static AnswerMethod method(By by) {
-    return by == By::exact   ? AnswerMethod::exact
-           : by == By::index ? AnswerMethod::index
-                             : AnswerMethod::quick;
+  static Answer method(By by) {
+    return by == By::exact ? Answer::exact : by == By::index ? Answer::index : Answer::quick;
   }
   std::shared_ptr<const GeodesicIndex> index() const { return surface_->build_index(); }
   static TaskOptions task(By by) { return {.by = method(by)}; }

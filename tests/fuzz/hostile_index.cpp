@@ -138,7 +138,7 @@ void IndexCheck::check_voronoi() {
   hostile_.costs[static_cast<int>(Step::voronoi)] = cost_of([&] {
     answered = hostile_.attempt([&] {
       Surface surface(index_, 1);
-      regions = voronoi_regions(surface, PointList(sites), {.by = AnswerMethod::index});
+      regions = voronoi_regions(surface, PointList(sites), {.by = Answer::index});
     });
   });
   if (!answered) return;
@@ -223,7 +223,7 @@ void IndexCheck::check_threads() {
                                           SurfacePoint::at_vertex(hostile_.sources[1])};
     auto regions = [&](int count) {
       Surface surface(index_, count);
-      return voronoi_regions(surface, PointList(sites), {.by = AnswerMethod::index}).distance;
+      return voronoi_regions(surface, PointList(sites), {.by = Answer::index}).distance;
     };
     const std::vector<double> from_one = regions(1);
     const std::vector<double> from_several = regions(threads);
@@ -252,8 +252,7 @@ void IndexCheck::check_quick() {
     Surface surface(index_, 1);
     Answered answered;
     const std::vector<ExactSource> sources = sources_at(std::array{source});
-    const std::vector<double> field =
-        surface.field(sources, unreachable, AnswerMethod::quick, answered).distance;
+    const std::vector<double> field = surface.field(sources, unreachable, Answer::quick, answered).distance;
     if (field[source] != 0.0) hostile_.fail("the source is not at distance 0", exactly(field[source]));
     for (Index v = 0; v < mesh_.vertex_count(); ++v) {
       const double exact = hostile_.exact[0][v];

@@ -70,8 +70,7 @@ class Metrics {
     Surface surface(std::make_shared<const Mesh>(std::move(positions), soup_.faces, metric), {.threads = 1});
     Answered answered;
     Surface& asked = to ? surface.reversed() : surface;
-    Field field =
-        asked.field(sources_at(std::array{source}), unreachable, AnswerMethod::exact, answered).distance;
+    Field field = asked.field(sources_at(std::array{source}), unreachable, Answer::exact, answered).distance;
     field.resize(soup_.positions.size());
     return field;
   }

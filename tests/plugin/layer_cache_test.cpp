@@ -161,7 +161,7 @@ TEST(LayerCache, AnswersAreTheSameAfterAnotherLayerWasUsed) {
     Answered answered;
     const auto surface = cache.find(layers.all[i], {})->surface();
     return std::pair(surface->geometry(),
-                     surface->field(sources, unreachable, AnswerMethod::exact, answered).distance);
+                     surface->field(sources, unreachable, Answer::exact, answered).distance);
   };
   const auto [geometry, distances] = ask(0);
   ask(1);
@@ -184,7 +184,7 @@ TEST(LayerSurface, RemembersWhatExactAnswersTookWhateverIsFreed) {
   const auto surface = read(Layer(sphere(0)));
   const std::vector<ExactSource> sources{{SurfacePoint::at_vertex(0)}};
   Answered answered;
-  surface->surface()->field(sources, unreachable, AnswerMethod::exact, answered);
+  surface->surface()->field(sources, unreachable, Answer::exact, answered);
   const double rent = surface->surface()->spent().rent();
   EXPECT_GT(rent, 0.0);
   surface->rest();

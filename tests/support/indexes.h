@@ -31,19 +31,18 @@ class IndexQuery {
   explicit IndexQuery(std::shared_ptr<const GeodesicIndex> index, int threads = 0)
       : surface_(std::move(index), threads), query_(surface_) {}
   double distance(Index source, Index target) {
-    return query_.distance(SurfacePoint::at_vertex(source), SurfacePoint::at_vertex(target),
-                           AnswerMethod::index);
+    return query_.distance(SurfacePoint::at_vertex(source), SurfacePoint::at_vertex(target), Answer::index);
   }
   std::vector<double> field(std::span<const ExactSource> sources, double max_distance = unreachable,
                             std::vector<Index>* labels = nullptr) {
-    return query_.field(sources, max_distance, AnswerMethod::index, surface_.threads(), labels);
+    return query_.field(sources, max_distance, Answer::index, surface_.threads(), labels);
   }
   std::vector<double> distance_field(std::span<const Index> sources, double max_distance = unreachable) {
     return field(sources_at(sources), max_distance);
   }
   std::vector<double> distances(std::span<const ExactSource> sources, const PointList& targets,
                                 double max_distance = unreachable) {
-    return query_.distances(sources, targets, max_distance, AnswerMethod::index);
+    return query_.distances(sources, targets, max_distance, Answer::index);
   }
 
  private:

@@ -11,14 +11,14 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
 from ..errors import FileError, InvalidInput
+from ..mesh_files import FREESURFER
 from .job import Job
 from .outputs import whole_file
 from .worker import run_in_own_process
 
 #: In the folder of results: the options that they were made with.
 RECORD = "vorogeo.json"
-_FREESURFER = {".inflated", ".orig", ".pial", ".smoothwm", ".sphere", ".white"}
-_ENDINGS = {".gii", ".mesh", ".obj", ".off", ".ply", ".stl", ".vtk", ".vtp", ".vtu"} | _FREESURFER
+_ENDINGS = {".gii", ".mesh", ".obj", ".off", ".ply", ".stl", ".vtk", ".vtp", ".vtu", *FREESURFER}
 
 
 def mesh_files(words: list[str]) -> list[Path]:
@@ -45,7 +45,9 @@ def targets(meshes: list[Path], folder: Path, ending: str) -> dict[Path, Path]:
     chosen: dict[Path, Path] = {}
     for mesh in meshes:
         name = mesh.name.removesuffix(".gz")
-        stem = name.removesuffix(Path(name).suffix) if Path(name).suffix.lower() in _ENDINGS - _FREESURFER else name
+        suffix = Path(name).suffix
+        is_format = suffix.lower() in _ENDINGS.difference(FREESURFER)  # lh.white and lh.pial differ in nothing else
+        stem = name.removesuffix(suffix) if is_format else name
         target = folder / f"{stem}{ending}"
         if target in chosen:
             raise InvalidInput(f"{chosen[target]} and {mesh} would both go into {target}; give them in two runs.")

@@ -87,8 +87,7 @@ std::vector<Pairs> some_lists() {
   return lists;
 }
 
-std::vector<double> distances(Surface& surface, const Pairs& pairs, AnswerMethod method,
-                              AnswerMethod expected) {
+std::vector<double> distances(Surface& surface, const Pairs& pairs, Answer method, Answer expected) {
   Answered answered;
   auto found = surface.distances({pairs.sources, pairs.targets}, method, answered);
   EXPECT_EQ(answered.by, expected);
@@ -106,7 +105,7 @@ void expect_straight(const std::vector<double>& found, const Pairs& pairs, doubl
 TEST(ManyPairs, ExactDistancesAreStraightLines) {
   Surface surface(test::make_mesh(plane.soup), {.threads = 2});
   for (const Pairs& pairs : some_lists()) {
-    expect_straight(distances(surface, pairs, AnswerMethod::exact, AnswerMethod::exact), pairs, 1e-11);
+    expect_straight(distances(surface, pairs, Answer::exact, Answer::exact), pairs, 1e-11);
   }
   EXPECT_FALSE(surface.index());
 }
@@ -114,16 +113,16 @@ TEST(ManyPairs, ExactDistancesAreStraightLines) {
 TEST(ManyPairs, DistancesFromTheIndexAreNearStraightLines) {
   Surface surface(test::make_mesh(plane.soup), {.first_layer_patches = 3, .threads = 2});
   for (const Pairs& pairs : some_lists()) {
-    expect_straight(distances(surface, pairs, AnswerMethod::index, AnswerMethod::index), pairs, 0.02);
+    expect_straight(distances(surface, pairs, Answer::index, Answer::index), pairs, 0.02);
   }
 }
 
 TEST(ManyPairs, AutomaticOnesAreFromTheIndexIfThereIsOneAndOtherwiseExactAtFirst) {
   const Pairs pairs = mixed(60);
   Surface indexed(plane_index(), 2);
-  expect_straight(distances(indexed, pairs, AnswerMethod::automatic, AnswerMethod::index), pairs, 0.02);
+  expect_straight(distances(indexed, pairs, Answer::automatic, Answer::index), pairs, 0.02);
   Surface surface(plane_index()->mesh(), {.threads = 2});
-  expect_straight(distances(surface, pairs, AnswerMethod::automatic, AnswerMethod::exact), pairs, 1e-11);
+  expect_straight(distances(surface, pairs, Answer::automatic, Answer::exact), pairs, 1e-11);
   EXPECT_GT(surface.spent().rent(), 0.0);
 }
 
@@ -133,8 +132,8 @@ TEST(ManyPairs, TheIndexTakesOverInTheMiddleOnceItPays) {
   spent.pay(3600.0);  // dear, but the price of an index is asked after two answers only
   Surface surface(test::make_mesh(plane.soup), nullptr, spent, {.threads = 1});
   Answered answered;
-  const auto found = surface.distances({pairs.sources, pairs.targets}, AnswerMethod::automatic, answered);
-  EXPECT_EQ(answered.by, AnswerMethod::index);
+  const auto found = surface.distances({pairs.sources, pairs.targets}, Answer::automatic, answered);
+  EXPECT_EQ(answered.by, Answer::index);
   EXPECT_GT(answered.index_seconds, 0.0);
   EXPECT_NE(answered.remark, "");
   expect_straight(found, pairs, 0.02);
@@ -155,7 +154,7 @@ TEST(ManyPairs, OfVerticesAreThoseOfTheQueryInWhateverOrder) {
     }
   }
   Answered answered;
-  const auto found = surface.distances({sources, targets}, AnswerMethod::index, answered);
+  const auto found = surface.distances({sources, targets}, Answer::index, answered);
   ASSERT_EQ(found.size(), sources.size());
   test::IndexQuery query(index, 1);
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -163,12 +162,12 @@ TEST(ManyPairs, OfVerticesAreThoseOfTheQueryInWhateverOrder) {
   }
 }
 
-void expect_paths(Surface& surface, const Pairs& pairs, AnswerMethod method, const PathOptions& options) {
+void expect_paths(Surface& surface, const Pairs& pairs, Answer method, const PathOptions& options) {
   Answered answered;
   const auto found = surface.paths({pairs.sources, pairs.targets}, method, options, answered);
   EXPECT_EQ(answered.by, method);
   ASSERT_EQ(found.size(), pairs.size());
-  const bool is_exact = options.exact || method == AnswerMethod::exact;
+  const bool is_exact = options.exact || method == Answer::exact;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const SurfacePath& path = found[i].path;
     const double straight = pairs.straight(i);
@@ -183,17 +182,17 @@ void expect_paths(Surface& surface, const Pairs& pairs, AnswerMethod method, con
 TEST(ManyPairs, PathsLeadStraightFromSourceToTarget) {
   Surface surface(plane_index(), 2);
   for (const Pairs& pairs : some_lists()) {
-    expect_paths(surface, pairs, AnswerMethod::exact, {});
-    expect_paths(surface, pairs, AnswerMethod::index, {});
-    expect_paths(surface, pairs, AnswerMethod::index, {.exact = true});
-    expect_paths(surface, pairs, AnswerMethod::index, {.exact = true, .certify = false});
+    expect_paths(surface, pairs, Answer::exact, {});
+    expect_paths(surface, pairs, Answer::index, {});
+    expect_paths(surface, pairs, Answer::index, {.exact = true});
+    expect_paths(surface, pairs, Answer::index, {.exact = true, .certify = false});
   }
   EXPECT_FALSE(surface.landmarks()) << "they do not pay for so few";
 }
 
 TEST(ManyPairs, LandmarksBoundManyExactPathsFromTheIndex) {
   Surface surface(plane_index(), 2);
-  expect_paths(surface, mixed(1000), AnswerMethod::index, {.exact = true});
+  expect_paths(surface, mixed(1000), Answer::index, {.exact = true});
   EXPECT_TRUE(surface.landmarks());
 }
 
@@ -219,8 +218,8 @@ TEST(ManyPairs, WhereTheMetricJumpsOnePropagationServesASource) {
   const std::vector<double> expected{2.0, 3.5, std::sqrt(5.0), 2.0, 0.0};
   Surface surface(mesh, {.threads = 2});
   Answered answered;
-  const auto found = surface.distances({sources, targets}, AnswerMethod::exact, answered);
-  const auto paths = surface.paths({sources, targets}, AnswerMethod::exact, {}, answered);
+  const auto found = surface.distances({sources, targets}, Answer::exact, answered);
+  const auto paths = surface.paths({sources, targets}, Answer::exact, {}, answered);
   for (std::size_t i = 0; i < expected.size(); ++i) {
     EXPECT_NEAR(found[i], expected[i], 1e-9) << i;
     EXPECT_NEAR(paths[i].path.length, expected[i], 1e-9) << i;
@@ -234,7 +233,7 @@ TEST(ManyPairs, PointsOfDifferentComponentsHaveNoPath) {
   std::vector<Index> targets;
   for (Index v = 0; v < 240; ++v) targets.push_back(50 + v);
   const std::vector<Index> sources(targets.size(), 3);
-  for (const AnswerMethod method : {AnswerMethod::exact, AnswerMethod::index}) {
+  for (const Answer method : {Answer::exact, Answer::index}) {
     Answered answered;
     const auto found = surface.distances({sources, targets}, method, answered);
     const auto paths = surface.paths({sources, targets}, method, {.exact = true}, answered);
@@ -248,7 +247,7 @@ TEST(ManyPairs, PointsOfDifferentComponentsHaveNoPath) {
 }
 
 /// The sentence with which both questions are refused.
-std::string refusal(Surface& surface, const PointPairs& pairs, AnswerMethod method) {
+std::string refusal(Surface& surface, const PointPairs& pairs, Answer method) {
   Answered answered;
   const std::string of_distances = test::refusal([&] { surface.distances(pairs, method, answered); });
   EXPECT_EQ(test::refusal([&] { surface.paths(pairs, method, {}, answered); }), of_distances);
@@ -260,7 +259,7 @@ TEST(ManyPairs, WhatCannotBeAnsweredIsRefused) {
   const std::vector<Index> one{0};
   const std::vector<Index> two{0, 5};
   const std::vector<Index> bad{0, vertices};
-  for (const AnswerMethod method : {AnswerMethod::exact, AnswerMethod::automatic, AnswerMethod::index}) {
+  for (const Answer method : {Answer::exact, Answer::automatic, Answer::index}) {
     EXPECT_EQ(refusal(surface, {one, two}, method),
               "There are 1 sources and 2 targets; pairs need as many of both.");
     EXPECT_NE(refusal(surface, {one, {}}, method), "");
@@ -268,15 +267,15 @@ TEST(ManyPairs, WhatCannotBeAnsweredIsRefused) {
     EXPECT_EQ(refusal(surface, {two, bad}, method).substr(0, 8), "Target 1");
   }
   const std::string no_quick = "The quick method computes fields only; choose another one for two points.";
-  EXPECT_EQ(refusal(surface, {two, two}, AnswerMethod::quick), no_quick);
-  EXPECT_EQ(refusal(surface, {PointList(), PointList()}, AnswerMethod::quick), no_quick);
+  EXPECT_EQ(refusal(surface, {two, two}, Answer::quick), no_quick);
+  EXPECT_EQ(refusal(surface, {PointList(), PointList()}, Answer::quick), no_quick);
 }
 
 TEST(ManyPairs, ProgressGrowsToTheEndAndMayCancel) {
   const Pairs pairs = from_one_source(in_some_face(3));
   const PointPairs lists{pairs.sources, pairs.targets};
   Surface surface(plane_index(), 2);
-  for (const AnswerMethod method : {AnswerMethod::exact, AnswerMethod::index}) {
+  for (const Answer method : {Answer::exact, Answer::index}) {
     double last = 0.0;
     const Progress growing([&](double fraction, const std::string&) {
       EXPECT_GE(fraction, last);
@@ -293,7 +292,7 @@ TEST(ManyPairs, ProgressGrowsToTheEndAndMayCancel) {
     EXPECT_THROW(surface.distances(lists, method, answered, stop), Cancelled);
     EXPECT_THROW(surface.paths(lists, method, {}, answered, stop), Cancelled);
     // What was interrupted does not change later answers.
-    const double error = method == AnswerMethod::exact ? 1e-11 : 0.02;
+    const double error = method == Answer::exact ? 1e-11 : 0.02;
     expect_straight(surface.distances(lists, method, answered), pairs, error);
   }
 }
@@ -304,8 +303,8 @@ TEST(ManyPairs, SeveralThreadsAskOneSurfaceAtATime) {
   std::vector<std::thread> threads;
   for (int t = 0; t < 4; ++t) {
     // Two of them want the index, which is built once while the others are answered.
-    threads.emplace_back([&, method = t % 2 == 0 ? AnswerMethod::index : AnswerMethod::exact] {
-      const double error = method == AnswerMethod::exact ? 1e-11 : 0.02;
+    threads.emplace_back([&, method = t % 2 == 0 ? Answer::index : Answer::exact] {
+      const double error = method == Answer::exact ? 1e-11 : 0.02;
       for (int round = 0; round < 2; ++round) {
         expect_straight(distances(surface, pairs, method, method), pairs, error);
         expect_paths(surface, pairs, method, {});

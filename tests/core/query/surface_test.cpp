@@ -28,8 +28,8 @@ TEST(Surface, AFieldThatReachesASmallPartIsExactAlthoughThereIsAnIndex) {
   Surface surface(test::make_index(plane.soup, 3, 3), 1);
   Answered answered;
   // Of an area of 9 a disk of radius 0.3 covers a thirtieth, and one of 1.0 a third.
-  const LabelledField small = surface.field(from_vertices({300}), 0.3, AnswerMethod::automatic, answered);
-  EXPECT_EQ(answered.by, AnswerMethod::exact);
+  const LabelledField small = surface.field(from_vertices({300}), 0.3, Answer::automatic, answered);
+  EXPECT_EQ(answered.by, Answer::exact);
   for (Index v = 0; v < static_cast<Index>(plane.soup.positions.size()); ++v) {
     const double straight = plane.vertex_distance(300, v);
     if (straight <= 0.3) {
@@ -41,8 +41,8 @@ TEST(Surface, AFieldThatReachesASmallPartIsExactAlthoughThereIsAnIndex) {
   EXPECT_NEAR(surface.reach_of(0.3), 0.01 * std::numbers::pi, 1e-12);
   EXPECT_EQ(surface.reach_of(unreachable), 1.0);
   EXPECT_EQ(surface.spent().rent(), 0.0) << "an index would not have been faster";
-  surface.field(from_vertices({300}), 1.0, AnswerMethod::automatic, answered);
-  EXPECT_EQ(answered.by, AnswerMethod::index);
+  surface.field(from_vertices({300}), 1.0, Answer::automatic, answered);
+  EXPECT_EQ(answered.by, Answer::index);
 }
 
 TEST(Surface, BuildsAnIndexWhenExactAnswersTookAsLong) {
@@ -51,15 +51,15 @@ TEST(Surface, BuildsAnIndexWhenExactAnswersTookAsLong) {
   Surface surface(mesh, nullptr, spent);
   const auto sources = from_vertices({5});
   Answered answered;
-  surface.field(sources, unreachable, AnswerMethod::automatic, answered);
-  EXPECT_EQ(answered.by, AnswerMethod::exact);
+  surface.field(sources, unreachable, Answer::automatic, answered);
+  EXPECT_EQ(answered.by, Answer::exact);
   EXPECT_EQ(answered.remark, "");
   EXPECT_GT(surface.spent().rent(), 0.0);
 
   for (int i = 0; i < 10; ++i) spent.pay(360.0);  // more than any such index costs
   Surface later(mesh, nullptr, spent);
-  later.field(sources, unreachable, AnswerMethod::automatic, answered);
-  EXPECT_EQ(answered.by, AnswerMethod::index);
+  later.field(sources, unreachable, Answer::automatic, answered);
+  EXPECT_EQ(answered.by, Answer::index);
   EXPECT_GT(answered.index_seconds, 0.0);
   EXPECT_NE(answered.remark, "");
   EXPECT_TRUE(later.index());
@@ -79,13 +79,13 @@ TEST(Surface, StaysExactWhereNoIndexCanBeHad) {
     fractions.push_back(fraction);
     return true;
   });
-  surface.field(sources, unreachable, AnswerMethod::automatic, answered, progress);
-  EXPECT_EQ(answered.by, AnswerMethod::exact);
+  surface.field(sources, unreachable, Answer::automatic, answered, progress);
+  EXPECT_EQ(answered.by, Answer::exact);
   EXPECT_NE(answered.remark.find("memory budget"), std::string::npos);
   EXPECT_TRUE(std::ranges::is_sorted(fractions)) << "the exact answer goes on where the build ended";
-  surface.field(sources, unreachable, AnswerMethod::automatic, answered);
+  surface.field(sources, unreachable, Answer::automatic, answered);
   EXPECT_EQ(answered.remark, "");
-  EXPECT_THROW(surface.field(sources, unreachable, AnswerMethod::index, answered), InvalidInput);
+  EXPECT_THROW(surface.field(sources, unreachable, Answer::index, answered), InvalidInput);
 }
 
 TEST(Surface, StaysExactOnLengthsThatAnIndexDoesNotTake) {
@@ -94,25 +94,24 @@ TEST(Surface, StaysExactOnLengthsThatAnIndexDoesNotTake) {
   for (int i = 0; i < 10; ++i) spent.pay(360.0);
   Surface surface(mesh, nullptr, spent);
   Answered answered;
-  const LabelledField field =
-      surface.field(from_vertices({5}), unreachable, AnswerMethod::automatic, answered);
-  EXPECT_EQ(answered.by, AnswerMethod::exact);
+  const LabelledField field = surface.field(from_vertices({5}), unreachable, Answer::automatic, answered);
+  EXPECT_EQ(answered.by, Answer::exact);
   EXPECT_NE(answered.remark.find("an index takes lengths between"), std::string::npos);
   EXPECT_EQ(field.distance, exact_distance_field(mesh, std::vector<Index>{5}));
 }
 
 TEST(Surface, NamesWhatAnswersAtOnce) {
   Surface small(test::make_mesh(test::icosphere(2)));
-  EXPECT_EQ(small.at_once(true), AnswerMethod::exact);
-  EXPECT_EQ(small.at_once(false), AnswerMethod::exact);
+  EXPECT_EQ(small.at_once(true), Answer::exact);
+  EXPECT_EQ(small.at_once(false), Answer::exact);
   small.build_index();
-  EXPECT_EQ(small.at_once(true), AnswerMethod::index);
-  EXPECT_EQ(small.at_once(false), AnswerMethod::index);
+  EXPECT_EQ(small.at_once(true), Answer::index);
+  EXPECT_EQ(small.at_once(false), Answer::index);
   const test::Soup plate = test::plane_grid(230, 220, 2.3, 2.2).soup;
   ASSERT_GT(static_cast<Index>(plate.positions.size()), max_vertices_at_once);
   const Surface large(test::make_mesh(plate));
-  EXPECT_EQ(large.at_once(true), AnswerMethod::quick);
-  EXPECT_EQ(large.at_once(false), AnswerMethod::exact);
+  EXPECT_EQ(large.at_once(true), Answer::quick);
+  EXPECT_EQ(large.at_once(false), Answer::exact);
 }
 
 TEST(Surface, AQuestionThatWaitsForABuildOfAnotherThreadCanBeCancelled) {
@@ -133,8 +132,7 @@ TEST(Surface, AQuestionThatWaitsForABuildOfAnotherThreadCanBeCancelled) {
   int reports = 0;
   const Progress impatient([&](double, const std::string&) { return ++reports < 3; });
   Answered answered;
-  EXPECT_THROW(surface.field(from_vertices({3}), unreachable, AnswerMethod::index, answered, impatient),
-               Cancelled);
+  EXPECT_THROW(surface.field(from_vertices({3}), unreachable, Answer::index, answered, impatient), Cancelled);
   is_cancelled.count_down();
   builder.join();
   EXPECT_EQ(reports, 3);

@@ -87,7 +87,7 @@ double angle_of_most(const LogMap& found, const LogMap& exact) {
   return angles.empty() ? 0.0 : angles[angles.size() * 9 / 10] * 180.0 / std::numbers::pi;
 }
 
-const TaskOptions by_index{AnswerMethod::index};
+const TaskOptions by_index{Answer::index};
 
 TEST(LogMap, FromAnIndexIsNearTheExactOne) {
   // The index numbers faces and vertices anew, so its angles begin elsewhere, and faces are flipped here.
@@ -233,9 +233,9 @@ TEST(Directions, AreRefusedByName) {
             "Point 0 is vertex 99999, which does not exist: the mesh has vertices 0 to 98.");
   EXPECT_NE(test::refusal([&] { log_map(surface, from, {}, -1.0, {}); }).find("must be at least 0"),
             std::string::npos);
-  EXPECT_EQ(test::refusal([&] { log_map(surface, from, {}, 1.0, {.by = AnswerMethod::quick}); }),
+  EXPECT_EQ(test::refusal([&] { log_map(surface, from, {}, 1.0, {.by = Answer::quick}); }),
             "The quick method has no directions; choose exact, or an index.");
-  EXPECT_EQ(test::refusal([&] { gradient(surface, one, {}, 1.0, {.by = AnswerMethod::index}); }),
+  EXPECT_EQ(test::refusal([&] { gradient(surface, one, {}, 1.0, {.by = Answer::index}); }),
             "Directions are exact: an index and the quick method have none.");
   EXPECT_EQ(test::refusal([&] {
               exp_map(surface, one, {{0.0, 1.0}, {std::nan(""), 0.0}}, AtBorder::end, {});

@@ -55,7 +55,7 @@ TEST(DistanceGradient, IsThatOfFiniteDifferences) {
         other.positions[v] = moved(soup.positions[v], side == 0 ? -step : step, way[v]);
       Surface near(test::make_mesh(other));
       Answered answered;
-      distance[side] = near.distances({from, to}, AnswerMethod::exact, answered);
+      distance[side] = near.distances({from, to}, Answer::exact, answered);
     }
     for (Index pair = 0; pair < 4; ++pair) {
       const auto dense = gradient_of(found, pair, soup.positions.size());

@@ -30,7 +30,7 @@ TEST(VoronoiRegions, ThreePointsMeetAtTheirCircumcentre) {
   const Shape plane = test::plane_grid(10, 10, 1.0, 1.0, 0.2);
   const Index sites[] = {2 * 11 + 2, 3 * 11 + 8, 8 * 11 + 4};
   Surface surface(test::make_mesh(plane.soup), {.threads = 1});
-  const VoronoiRegions found = voronoi_regions(surface, sites, {.by = AnswerMethod::exact});
+  const VoronoiRegions found = voronoi_regions(surface, sites, {.by = Answer::exact});
   const auto degree = degrees(found.borders);
   ASSERT_EQ(std::count(degree.begin(), degree.end(), 3), 1);
   const Point& centre = found.borders.points[std::find(degree.begin(), degree.end(), 3) - degree.begin()];
@@ -103,16 +103,16 @@ TEST(DividedFaces, ASiteInsideADearFaceOwnsWhatIsNearIt) {
   const std::vector<SurfacePoint> sites{locator.nearest({2.6, 2.4, 0}).point,
                                         locator.nearest({0.2, 0.3, 0}).point};
   Surface surface(cell.mesh, {.threads = 1});
-  const VoronoiRegions found = voronoi_regions(surface, sites, {.by = AnswerMethod::exact});
+  const VoronoiRegions found = voronoi_regions(surface, sites, {.by = Answer::exact});
   EXPECT_GT(found.area[0], 25.0);  // a cell of cost 5 has area 25 in the metric
   ASSERT_GT(found.borders.points.size(), 5U);
   Query query(surface);
   for (const Point& place : found.borders.points) {
     const std::vector<SurfacePoint> at{locator.nearest(place).point};
     const double first =
-        query.distances(std::array{ExactSource{sites[0]}}, at, unreachable, AnswerMethod::exact)[0];
+        query.distances(std::array{ExactSource{sites[0]}}, at, unreachable, Answer::exact)[0];
     const double second =
-        query.distances(std::array{ExactSource{sites[1]}}, at, unreachable, AnswerMethod::exact)[0];
+        query.distances(std::array{ExactSource{sites[1]}}, at, unreachable, Answer::exact)[0];
     // A part of a dear face has sides of 1.25 and 1.8, over which differences are interpolated.
     EXPECT_NEAR(first, second, 0.5) << place[0] << ' ' << place[1];
   }
@@ -123,7 +123,7 @@ TEST(DividedFaces, BordersInADearFaceAreWherePathsFromBothSidesMeet) {
   // On both sides of the dear cell at equal distances: by symmetry the border is the line x + y = 5.
   const std::vector<Index> sites{0, static_cast<Index>(cell.soup.positions.size()) - 1};
   Surface surface(cell.mesh, {.threads = 1});
-  const VoronoiRegions found = voronoi_regions(surface, sites, {.by = AnswerMethod::exact});
+  const VoronoiRegions found = voronoi_regions(surface, sites, {.by = Answer::exact});
   const Point& a = cell.soup.positions[sites[0]];
   const Point& b = cell.soup.positions[sites[1]];
   ASSERT_NEAR(a[0] + b[0], 5.0, 1e-12);

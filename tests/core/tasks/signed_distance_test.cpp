@@ -173,7 +173,7 @@ TEST(SignedDistance, IsCloseToDistancesFromPointsAlongTheCurve) {
     }
     Answered answered;
     const auto field =
-        surface.field(sources_along_edges(mesh, border, spacing), unreachable, AnswerMethod::exact, answered);
+        surface.field(sources_along_edges(mesh, border, spacing), unreachable, Answer::exact, answered);
     const auto found = signed_distance(surface, region, unreachable, {});
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
       EXPECT_LE(std::abs(found[v]), field.distance[v] * (1.0 + 1e-12) + tolerance_on(surface));
@@ -292,7 +292,7 @@ TEST(SignedDistance, RefusesCurvesWithoutTwoSides) {
   EXPECT_NE(test::refusal([&] { from_curves(surface, {square}, -1.0); }).find("at least 0"),
             std::string::npos);
   EXPECT_NE(test::refusal([&] {
-              signed_distance(surface, {square}, 1.0, {.by = AnswerMethod::index});
+              signed_distance(surface, {square}, 1.0, {.by = Answer::index});
             }).find("Signed distances are exact"),
             std::string::npos);
   const std::vector<std::uint8_t> all(160, 1);

@@ -42,7 +42,7 @@ TEST(Tasks, CanBeCancelled) {
   std::vector<double> matrix(points.size() * points.size());
   std::vector<double> fields(points.size() * soup.positions.size());
   const Progress stop([](double, const std::string&) { return false; });
-  for (const AnswerMethod by : {AnswerMethod::exact, AnswerMethod::index}) {
+  for (const Answer by : {Answer::exact, Answer::index}) {
     const TaskOptions options{.by = by, .progress = stop};
     for (const auto& task : std::vector<std::function<void()>>{
              [&] { distance_matrix(surface, points, MatrixMethod::fields, std::span(matrix), options); },
@@ -58,7 +58,7 @@ TEST(Tasks, CanBeCancelled) {
              [&] { geodesic_disk(surface, points, 1.0, options); },
              [&] { eccentricities(surface, points, options); },
              [&] { extent_of_component(surface, 0, 5, options); }}) {
-      EXPECT_THROW(task(), Cancelled) << to_string(by);
+      EXPECT_THROW(task(), Cancelled) << name_of(by);
     }
   }
 }
@@ -82,10 +82,10 @@ const test::Shape plane = test::plane_grid(30, 30, 3.0, 3.0, 0.2);
 
 TEST(Workers, RefuseTheQuickMethodAndSayWhatAnswered) {
   Surface surface(test::make_mesh(plane.soup), {.threads = 1});
-  EXPECT_THROW(Workers(surface, {.by = AnswerMethod::quick}, 1.0), InvalidInput);
+  EXPECT_THROW(Workers(surface, {.by = Answer::quick}, 1.0), InvalidInput);
   Answered answered;
   { const Workers workers(surface, {.answered = &answered}, 1.0); }
-  EXPECT_EQ(answered.by, AnswerMethod::exact);
+  EXPECT_EQ(answered.by, Answer::exact);
 }
 
 TEST(Workers, FewOfALargeReachAreFromTheIndexAndManyOfASmallOneExact) {
@@ -101,7 +101,7 @@ const test::Shape rectangle = test::plane_grid(20, 10, 2.0, 1.0);
 
 TEST(RelaxPoints, OnePointMovesToTheMiddleOfASquare) {
   Surface surface(test::make_mesh(square.soup), {.threads = 2});
-  const RelaxedPoints found = relax_points(surface, std::array<Index, 1>{0}, 20, {.by = AnswerMethod::exact});
+  const RelaxedPoints found = relax_points(surface, std::array<Index, 1>{0}, 20, {.by = Answer::exact});
   ASSERT_EQ(found.points.size(), 1U);
   EXPECT_EQ(found.points[0], SurfacePoint::at_vertex(5 * 11 + 5));
   // The integral of the squared distance from a corner is 2/3, from the middle 1/6; vertices stand for their
@@ -113,12 +113,10 @@ TEST(RelaxPoints, OnePointMovesToTheMiddleOfASquare) {
 
 TEST(RelaxPoints, ARepeatedPointWaitsUntilTheOtherHasMoved) {
   Surface surface(test::make_mesh(rectangle.soup), {.threads = 1});
-  const RelaxedPoints first =
-      relax_points(surface, std::array<Index, 3>{0, 3, 3}, 1, {.by = AnswerMethod::exact});
+  const RelaxedPoints first = relax_points(surface, std::array<Index, 3>{0, 3, 3}, 1, {.by = Answer::exact});
   EXPECT_EQ(first.points[2].vertex, 3);
   EXPECT_NE(first.points[1].vertex, 3);
-  const RelaxedPoints found =
-      relax_points(surface, std::array<Index, 3>{0, 3, 3}, 30, {.by = AnswerMethod::exact});
+  const RelaxedPoints found = relax_points(surface, std::array<Index, 3>{0, 3, 3}, 30, {.by = Answer::exact});
   EXPECT_NE(found.points[2].vertex, 3);
   EXPECT_TRUE(std::ranges::is_sorted(found.energy, std::greater<>()));
 }

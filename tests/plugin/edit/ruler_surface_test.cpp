@@ -55,11 +55,11 @@ TEST(RulerSurface, PathsOfAPlateAreStraightWithAndWithoutAnIndex) {
   const Picked from{{0.31, 0.22, 1e-8}, tolerance};
   const Picked to{{3.4, 2.7, 0.0}, tolerance};
   const double expected = std::hypot(3.4 - 0.31, 2.7 - 0.22);
-  for (AnswerMethod how : {AnswerMethod::exact, AnswerMethod::index}) {
+  for (Answer how : {Answer::exact, Answer::index}) {
     EXPECT_EQ(surface.measure(MeasureKind::distance, {from, to}, false).how, how);
     const RulerAnswer answer = surface.measure(MeasureKind::distance, {from, to});
     EXPECT_TRUE(answer.is_on_surface);
-    EXPECT_EQ(answer.how, AnswerMethod::exact);
+    EXPECT_EQ(answer.how, Answer::exact);
     ASSERT_EQ(answer.values.size(), 3U);
     EXPECT_NEAR(value_of(answer, Quantity::length), expected, 1e-9);
     EXPECT_NEAR(value_of(answer, Quantity::straight), expected, 1e-9);
@@ -166,7 +166,7 @@ TEST(RulerSurface, FieldsAndTheirIsolinesOfASphere) {
   const test::Soup sphere = test::icosphere(3);
   RulerSurface surface(layer_of(sphere));
   const Picked pole{sphere.positions[0], tolerance};
-  for (AnswerMethod how : {AnswerMethod::exact, AnswerMethod::index}) {
+  for (Answer how : {Answer::exact, Answer::index}) {
     const RulerAnswer field = surface.field(pole);
     EXPECT_EQ(field.how, how);
     // An inscribed polyhedron: shorter by about a third of a percent here.
@@ -186,7 +186,7 @@ TEST(RulerSurface, LargeMeshesWithoutAnIndexAreAnsweredQuicklyFromThePointItself
   RulerSurface surface(layer_of(plate));
   const Picked from{{1.005, 1.003, 0.0}, tolerance};  // half a cell from all vertices
   const RulerAnswer field = surface.field(from);
-  EXPECT_EQ(field.how, AnswerMethod::quick);
+  EXPECT_EQ(field.how, Answer::quick);
   double largest = 0.0;
   for (std::size_t v = 0; v < plate.positions.size(); ++v) {
     const double straight = distance_between(plate.positions[v], from.at);
@@ -213,7 +213,7 @@ TEST(RulerSurface, AnIndexThatIsBuiltForItAnswersFromThenOn) {
   EXPECT_EQ(surface.index(), nullptr);
   const auto index = surface.layer()->surface()->build_index();
   EXPECT_EQ(surface.index(), index);
-  EXPECT_EQ(surface.field({{0.0, 0.0, 1.0}, 0.1}).how, AnswerMethod::index);
+  EXPECT_EQ(surface.field({{0.0, 0.0, 1.0}, 0.1}).how, Answer::index);
 }
 
 TEST(RulerSurface, ValuesOfIsolinesAreRound) {
