@@ -328,8 +328,11 @@ namespace {
 /// Pools from this size on ask for memory before they grow.
 constexpr std::size_t large_pool = std::size_t{1} << 25;
 
-/// Lists are looked through from this size class on: shorter ones have hardly begun when they are done.
-constexpr int least_let_go = 5;
+/// Lists of this size class and above are long: shorter ones are done when they have hardly begun.
+constexpr int least_long = 5;
+/// Before the pool grows, long lists are looked through once as many windows have been made as were left of
+/// them the last time, and no fewer than these.
+constexpr std::size_t least_made = std::size_t{1} << 12;
 
 /// Offset of what stands for the windows of a part of an edge that the front has passed: nothing is nearer.
 constexpr double passed = -unreachable;
@@ -341,10 +344,15 @@ double WindowEnvelope::store() {
     List& list = lists_[open_];
     const auto size = [&] { return kept_ + before_.size() + after_.size() + (list.size - rest_); };
     std::size_t room = size();
-    if (list.size_class >= least_let_go && room > std::size_t{1} << list.size_class) {
-      let_go_behind_front(list);
-      // As many are to come as were looked at, before all are looked at again.
-      if (size() <= std::size_t{1} << (list.size_class - 1)) room = size();
+    if (!fits(list, room)) {
+      if (list.size_class >= least_long) {
+        let_go_behind_front(list, kept_, rest_);
+        // As many are to come as were looked at, before all are looked at again.
+        if (size() <= std::size_t{1} << (list.size_class - 1)) room = size();
+      }
+      if (made_ >= next_collection_ && !fits(list, room) &&
+          !pool_.has_room(BlockPool<Window>::size_class(room)))
+        collect();
     }
     const Window* const old = list.first;
     const std::uint32_t tail = list.size - rest_;
@@ -367,7 +375,7 @@ double WindowEnvelope::store() {
   return least_;
 }
 
-void WindowEnvelope::let_go_behind_front(List& list) {
+void WindowEnvelope::let_go_behind_front(List& list, std::uint32_t& kept, std::uint32_t rest) {
   std::uint32_t new_begin = 0, new_end = 0;
   const auto let_go = [&](std::uint32_t begin, std::uint32_t end) {
     std::uint32_t place = begin;
@@ -391,14 +399,35 @@ void WindowEnvelope::let_go_behind_front(List& list) {
     }
     return place;
   };
-  kept_ = let_go(0, kept_);
-  list.size = let_go(rest_, list.size);
+  kept = let_go(0, kept);
+  list.size = let_go(rest, list.size);
   list.new_begin = new_begin;
   list.new_end = new_end;
 }
 
+void WindowEnvelope::collect() {
+  std::size_t left = 0;
+  std::erase_if(long_, [&](Index edge) {
+    List& list = lists_[edge];
+    if (list.size_class < least_long) return true;
+    if (edge == open_) return false;
+    std::uint32_t none = 0;
+    let_go_behind_front(list, none, 0);
+    if (const int size_class = BlockPool<Window>::size_class(list.size); size_class < list.size_class) {
+      const Window* const old = list.first;
+      give_back(list);
+      list.first = pool_.take(size_class);  // there is room: at least in the block itself
+      if (list.first != old) std::copy_n(old, list.size, list.first);
+      list.size_class = static_cast<std::uint8_t>(size_class);
+    }
+    left += list.size;
+    return list.size_class < least_long;
+  });
+  next_collection_ = made_ + std::max(least_made, left);
+}
+
 void WindowEnvelope::take_room(List& list, std::size_t size) {
-  if (list.size_class != 0 && size <= std::size_t{1} << list.size_class) return;
+  if (fits(list, size)) return;
   const int size_class = BlockPool<Window>::size_class(size);
   if (!pool_.has_room(size_class)) {
     // A system may grant more memory than it has, and end the process that uses it; so what large pools need
@@ -416,6 +445,7 @@ void WindowEnvelope::take_room(List& list, std::size_t size) {
   if (list.size_class == 0) touched_.push_back(open_);
   give_back(list);  // store() copies from it before another block is taken
   list.first = block;
+  if (list.size_class < least_long && size_class >= least_long) long_.push_back(open_);
   list.size_class = static_cast<std::uint8_t>(size_class);
 }
 
@@ -435,6 +465,8 @@ void WindowEnvelope::retire(Index edge) {
 void WindowEnvelope::clear() {
   for (Index edge : touched_) lists_[edge] = {};
   touched_.clear();
+  long_.clear();
+  next_collection_ = least_made;
   pool_.clear();
   open_ = no_index;
   made_ = 0;

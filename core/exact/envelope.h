@@ -250,12 +250,21 @@ class WindowEnvelope {
   }
   void add_old(const Window& old, double begin, double end);
   void give_back(List& list);
-  void let_go_behind_front(List& list);
+  static bool fits(const List& list, std::size_t size) {
+    return list.size_class != 0 && size <= std::size_t{1} << list.size_class;
+  }
+  /// Of the windows before `kept` and from `rest` on, one is left where the front has passed neighbours.
+  void let_go_behind_front(List& list, std::uint32_t& kept, std::uint32_t rest);
+  /// The same for all long lists, whose blocks become as small as they can.
+  void collect();
   void take_room(List& list, std::size_t size);
 
   BlockPool<Window> pool_;
   std::vector<List> lists_;
   std::vector<Index> touched_;
+  std::vector<Index> long_;  ///< edges of long lists, and some whose list is not long any more
+  std::size_t next_collection_ =
+      0;  ///< made_ from which on long lists are looked through before the pool grows
   bool by_lengths_ = false;
   Index open_ = no_index;
   bool changed_ = false;
