@@ -58,8 +58,8 @@ struct ExactLimits {
   /// With targets: points of edges whose distances are to be final as well. Not with distances_only.
   std::span<const EdgePoint> edge_targets{};
   /// Neighbouring windows are merged if one window represents them with a deviation of up to this fraction of
-  /// their edge's length, of the height of the face behind it and of their distance; distances become too
-  /// short by about as much. 0: exact.
+  /// their edge's length, of a typical edge, of the height of the face behind it and of their distance;
+  /// distances become too short by about as much. 0: exact.
   double merge_tolerance = 0.0;
   /// If set, with a max_distance that is known to be an upper bound of this point's distance: only what can
   /// lie on a path to it within that bound is followed, judged by the straight line in space. Only this

@@ -23,6 +23,7 @@ PAGES = {
     "any_mesh": "costs and errors of an index on meshes of every kind",
     "matrices": "matrices of all distances as float32 in a file, beside other packages",
     "paths": "refined and exact paths of many random pairs against exact fields",
+    "waits": "fields on one and two threads, and the slowest of many questions of two points",
     "choosing": "the time of 1 to 1,000 fields by the automatic choice and by each fixed one",
     "directions": "log maps, traced lines and transported vectors beside potpourri3d",
     "growth": "time and memory against the size of the mesh",
