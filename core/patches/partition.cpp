@@ -140,7 +140,7 @@ constexpr double ordinary_patches = 16.0;
 constexpr double ordinary_vertices = 134400.0;
 /// Mean angle defect, in radians, from which on a mesh is coarse: its edges are long for the shape of its
 /// surface. Scans have 0.006 to 0.035, simplified ones 0.04 to 0.09, CAD parts and buildings up to 0.4.
-constexpr double coarse_defect = 0.04;
+constexpr double coarse_defect = 0.12;
 
 const PatchSizes& sizes_for(const Mesh& mesh) {
   return mesh.mean_angle_defect() >= coarse_defect ? coarse_sizes : usual_sizes;

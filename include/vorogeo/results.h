@@ -17,7 +17,8 @@ enum class Answer : std::uint8_t {
               ///< fields of more than two million vertices are quick without an index
   index,      ///< by the index, which is built if there is none
   exact,      ///< by exact propagation over the faces
-  quick       ///< fields only: below a tenth of a percent off in the mean, on scans in a quarter of the time
+  quick  ///< fields only: below a tenth of a percent off in the mean, on large meshes in a third to a tenth
+         ///< of the time
 };
 
 /// A sparse matrix in compressed rows: row i holds the entries row_begin[i] to row_begin[i + 1].

@@ -73,10 +73,10 @@ class Surface(Measuring, Means, Directions):
     or of the metric, and infinity where no path leads.
 
     `method` of each is "automatic", "index" (built at once if there is none), "exact", or, for fields, "quick": an
-    error below a tenth of a percent in the mean, on scans in a quarter of the time. "automatic": whichever is expected
-    to be fastest, exact where both are near: where each distance reaches only a small part of the surface, exact also
-    with an index; on more than two million vertices, fields are quick where there is no index. None is what the class
-    stands for.
+    error below a tenth of a percent in the mean, on large meshes in a third to a tenth of the time. "automatic":
+    whichever is expected to be fastest, exact where both are near: where each distance reaches only a small part of the
+    surface, exact also with an index; on more than two million vertices, fields are quick where there is no index. None
+    is what the class stands for.
 
     `progress` is called as ``progress(fraction, text)`` from this thread, with a fraction in [0, 1] that never
     decreases; a result of False cancels. True shows a tqdm bar.

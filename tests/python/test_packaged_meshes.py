@@ -38,9 +38,14 @@ def errors_in_percent(mesh: Mesh, sources: int = 6) -> np.ndarray:
     return np.concatenate(errors)
 
 
-@pytest.mark.parametrize("name", ["ant.ply", "nut.ply"])
-def test_fields_of_one_patch_are_exact(name):
-    assert errors_in_percent(of_pyvista(name)).max(initial=0.0) <= 1e-7
+def test_fields_of_one_patch_are_exact():
+    assert errors_in_percent(of_pyvista("ant.ply")).max(initial=0.0) <= 1e-7
+
+
+def test_a_nut_has_few_patches():
+    errors = errors_in_percent(of_pyvista("nut.ply"))
+    assert errors.mean() <= 2 * 0.0022
+    assert errors.max() <= 2 * 0.15
 
 
 def test_thin_parts_of_an_airplane():
@@ -51,6 +56,6 @@ def test_thin_parts_of_an_airplane():
 
 def test_folds_of_a_cortex():
     errors = errors_in_percent(back_of_a_cortex())
-    assert errors.mean() <= 2 * 0.0144
-    assert np.quantile(errors, 0.99) <= 2 * 0.089
-    assert errors.max() <= 2 * 0.26
+    assert errors.mean() <= 2 * 0.0084
+    assert np.quantile(errors, 0.99) <= 2 * 0.052
+    assert errors.max() <= 2 * 0.16
