@@ -92,6 +92,7 @@ class WindowEnvelope {
     by_lengths_ = by_lengths;
   }
 
+  /// Until the next store().
   std::span<const Window> windows(Index edge) const { return {lists_[edge].first, lists_[edge].size}; }
   std::span<Window> windows(Index edge) { return {lists_[edge].first, lists_[edge].size}; }
 

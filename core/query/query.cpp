@@ -44,7 +44,9 @@ const LocalSolver& Query::solved(std::span<const ExactSource> sources, double ma
   limits.max_distance = max_distance;
   if (progress) {
     limits.progress = &progress;
-    progress.report(0.0, "Computing distances");  // a small mesh is done before the first report of the run
+    // A small mesh is done before the first report of the run, and a large one is laid out before it.
+    const Watch watch(progress.part(0.0, 0.0), "Computing distances");
+    if (!solver_) solver_.emplace(surface_.geometry());
   }
   limits.distances_only = distances_only;
   limits.threads = threads > 1 ? threads_for_field(*surface_.mesh(), threads) : 1;

@@ -54,8 +54,8 @@ struct AnswerOfLayer {
   Results about;
 };
 
-/// Frees what an exact answer has left in solvers where that is gigabytes, which are soon made anew compared
-/// with such an answer. `vertices`: those that a field has reached, or the mesh of a path has.
+/// Frees what an exact or quick answer has left in solvers where that is gigabytes, which are soon made anew
+/// compared with such an answer. `vertices`: those that a field has reached, or the mesh of a path has.
 void rest_if_large(LayerSurface& layer, const Answered& answered, Index vertices);
 
 /// Logs what answered.
