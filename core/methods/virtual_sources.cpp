@@ -41,7 +41,6 @@ double side(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
 
 VirtualSources::VirtualSources(std::shared_ptr<const Mesh> mesh)
     : mesh_(std::move(mesh)), faces_(mesh_->face_count()) {
-  require_agreeing_faces(*mesh_, "Virtual sources");
   require_lengths(*mesh_, "virtual sources take", exact_lengths.least_mean, exact_lengths.greatest);
   records_.resize(faces_.size());
   parallel_ranges(mesh_->face_count(), [&](Index begin, Index end) {
@@ -125,15 +124,17 @@ void VirtualSources::take(const FaceSource& found, double distance) {
   queue_.push(face, distance);
 }
 
-/// Starts in a face that holds the point with these weights.
-void VirtualSources::start_in(Index face, const std::array<double, 3>& weights, double offset) {
+/// Starts at a corner of a face whose vertex has been reached.
+void VirtualSources::start_in(Index corner) {
+  const Index face = Mesh::face_of(corner);
   // Over its longest side: over one of next to no length, the place of the apex would be rounding.
   const FaceRecord& record = records_[face];
   const auto side = static_cast<int>(std::ranges::max_element(record.length) - record.length.begin());
   const auto [edge, apex, tail, head, opposite] = over(record, side);
+  const int own = corner % 3;
+  const double offset = vertices_[record.vertex[own]].distance;
   FaceSource found;
-  const double at_apex = weights[(side + 2) % 3];
-  found.at = {weights[(side + 1) % 3] * edge + at_apex * apex[0], at_apex * apex[1]};
+  found.at = own == side ? PlanePoint{} : own == (side + 1) % 3 ? PlanePoint{edge, 0.0} : apex;
   found.sigma = offset;
   found.base = 3 * face + side;
   reach_vertex(tail, offset + between(found.at, {0.0, 0.0}));
@@ -145,10 +146,7 @@ void VirtualSources::start_in(Index face, const std::array<double, 3>& weights, 
 
 /// Starts in all faces at a vertex that has been reached.
 void VirtualSources::start_at(Index vertex) {
-  for_each_face_at(*mesh_, SurfacePoint::at_vertex(vertex),
-                   [&](Index face, const std::array<double, 3>& weights) {
-                     start_in(face, weights, vertices_[vertex].distance);
-                   });
+  for (const Index corner : mesh_->corners(vertex)) start_in(corner);
 }
 
 /// Hands the source of a face to all faces around it that are farther away, except through the edge by which
@@ -172,10 +170,7 @@ void VirtualSources::hand_on(Index face) {
       const double longest = std::max(std::ranges::max(record.length), std::ranges::max(other.length));
       if (!(length > least_length * longest)) {
         // Both its ends are one place, from which the face behind may be reached alone.
-        const VertexRecord& end = vertices_[other.vertex[g % 3]];
-        std::array<double, 3> weights{};
-        weights[g % 3] = 1.0;
-        if (end.distance < unreachable) start_in(Mesh::face_of(g), weights, end.distance);
+        if (vertices_[other.vertex[g % 3]].distance < unreachable) start_in(g);
         continue;
       }
       const double scale = 1.0 / length;

@@ -77,7 +77,7 @@ class VirtualSources {
     How how;
   };
 
-  void start_in(Index face, const std::array<double, 3>& weights, double offset);
+  void start_in(Index corner);
   void start_at(Index vertex);
   void reach_vertex(Index vertex, double distance);
   void hand_on(Index face);

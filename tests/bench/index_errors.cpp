@@ -100,22 +100,19 @@ Quick quick(const MeshPointer& mesh, const std::vector<ExactField>& exact) {
   Quick result;
   vorogeo::Surface surface(mesh, {.threads = 1});
   vorogeo::Query query(surface);
-  double seconds[2] = {0.0, 0.0};
-  for (const bool again : {false, true}) {
-    for (const ExactField& one : exact) {
-      std::vector<double> found;
-      const auto ask = [&](Answer by) {
-        const std::vector<vorogeo::ExactSource> sources = vorogeo::sources_at(std::span(&one.source, 1));
-        seconds[by == Answer::exact] +=
-            cpu_seconds([&] { found = query.field(sources, vorogeo::unreachable, by, 1); });
-      };
-      ask(Answer::exact);
-      ask(Answer::quick);
-      for (Index v = 0; again && v < mesh->vertex_count(); ++v) result.errors.add(found[v], one.distances[v]);
-    }
-    if (!again) seconds[0] = seconds[1] = 0.0;
+  std::vector<double> found;
+  const auto seconds = [&](const ExactField& one, Answer by) {
+    const std::vector<vorogeo::ExactSource> sources = vorogeo::sources_at(std::span(&one.source, 1));
+    return cpu_seconds([&] { found = query.field(sources, vorogeo::unreachable, by, 1); });
+  };
+  seconds(exact.front(), Answer::exact);
+  double exact_seconds = 0.0, quick_seconds = 0.0;
+  for (const ExactField& one : exact) {
+    exact_seconds += seconds(one, Answer::exact);
+    quick_seconds += seconds(one, Answer::quick);
+    for (Index v = 0; v < mesh->vertex_count(); ++v) result.errors.add(found[v], one.distances[v]);
   }
-  result.share = seconds[0] / seconds[1];
+  result.share = quick_seconds / exact_seconds;
   return result;
 }
 
