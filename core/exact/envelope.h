@@ -263,7 +263,7 @@ class WindowEnvelope {
   BlockPool<Window> pool_;
   std::vector<List> lists_;
   std::vector<Index> touched_;
-  std::vector<Index> long_;  ///< edges of long lists, and some whose list is not long any more
+  std::vector<Index> long_;          ///< edges of long lists, and some whose list is not long any more
   std::size_t next_collection_ = 0;  ///< made_ from which on long lists may be looked through
   bool by_lengths_ = false;
   Index open_ = no_index;
