@@ -72,8 +72,9 @@ class RidgeOf : public testing::Test {
   }
 
   /// Of a connected surface without isolated vertices. Without the ridge and its border, it is one open disk
-  /// for each source; or several, which touch at a vertex of the border that shortest paths turn at, where
-  /// another source is as near. A line that goes on along the border from there has nothing beside it.
+  /// for each source; or several, which touch at vertices that shortest paths pass: at the border, where
+  /// another source is as near; and along a sharp edge, where what is reached by way of the edge is no wider
+  /// than rounding. A line that goes on along the border from there has nothing beside it.
   void expect_disks(const Mesh& mesh, const Ridge& ridge, const std::vector<SurfacePoint>& sources) {
     const std::string name = "seed " + std::to_string(seed_);
     const auto count = [](std::size_t number) { return static_cast<std::ptrdiff_t>(number); };
@@ -95,6 +96,8 @@ class RidgeOf : public testing::Test {
         lines.join(0, static_cast<Index>(p) + 1);
       } else if (degree[p] == 1) {
         EXPECT_TRUE(point.is_vertex() && mesh.total_angle(point.vertex) < 2.0 * pi) << name;
+      } else if (point.is_vertex() && mesh.total_angle(point.vertex) > 2.0 * pi - 1e-6) {
+        ++at_turns;
       }
     }
     const std::ptrdiff_t more_disks =
