@@ -11,11 +11,11 @@ import tables
 MADE = ("drilled_plate", "thick_plate", "drilled_block", "gear", "small_plate", "small_gear", "coarse_sphere")
 MADE += ("block_city",)
 SOURCES = 6
+#: Of the page: errors in percent, of fields and pairs of an index, then of quick fields.
 HEADING = (
-    "mesh | vertices | needles (%) | mean (%) | p99 (%) | too long (%) | too short (%) | pairs, mean (%) "
-    "| pairs, p99 (%) | build | bytes | exact (s) | build (s) | field (ms) | pair (µs)"
+    "mesh | vertices | needles | mean | p99 | long | short | pairs: mean | p99 | build | bytes "
+    "| quick: time | mean | p99 | long | short"
 )
-QUICK = "mesh | of an exact field | mean (%) | p99 (%) | too long (%) | too short (%)"
 
 KEPT = 11  #: columns of the page: what does not depend on the machine
 
@@ -28,24 +28,20 @@ def options(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> dict[str, str]:
     """Measure the meshes one by one."""
     names = options.meshes or [*map(str, sorted(meshes.SHARED.glob("*.ply"))), *MADE]
-    rows, quick = [], []
+    rows = []
     for name in names:
         file = name if name in MADE else meshes.find(name)
         if not file:
             continue
         for found in measure.program("any_mesh", SOURCES, file):
-            rows.append(row(found))
-            quick.append(quick_row(found))
-            print(" | ".join(rows[-1]), *quick[-1][1:], sep=" | ", flush=True)
-    kept = [row[:KEPT] for row in rows]
-    return {
-        "any mesh": tables.table(" | ".join(HEADING.split(" | ")[:KEPT]), kept),
-        "quick": tables.table(QUICK, quick),
-    }
+            of_index, of_quick = row(found), quick_row(found)
+            rows.append(of_index[:KEPT] + of_quick)
+            print(*of_index, *of_quick, sep=" | ", flush=True)
+    return {"any mesh": tables.table(HEADING, rows)}
 
 
 def row(found: dict[str, float | str]) -> list[str]:
-    """The row of a mesh."""
+    """The row of a mesh, and after what the page has: exact (s), build (s), field (ms), pair (µs)."""
     formats = {
         "mesh": "", "vertices": ",.0f", "needles": ".1f", "mean": ".4f", "p99": ".3f", "over": ".2f", "under": ".2f",
         "pair_mean": ".4f", "pair_p99": ".3f", "build/exact": ".0f", "bytes": ",.0f", "exact": ".3g", "build": ".3g",
@@ -55,7 +51,7 @@ def row(found: dict[str, float | str]) -> list[str]:
 
 
 def quick_row(found: dict[str, float | str]) -> list[str]:
-    """The row of its quick fields."""
-    formats = {"mesh": "", "quick/exact": ".2f", "quick_mean": ".3f", "quick_p99": ".2f"}
+    """What its row has of quick fields."""
+    formats = {"quick/exact": ".2f", "quick_mean": ".3f", "quick_p99": ".2f"}
     formats |= {"quick_over": ".2f", "quick_under": ".2f"}
     return [format(found[key], how) for key, how in formats.items()]
