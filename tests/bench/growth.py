@@ -55,7 +55,8 @@ def run(options: argparse.Namespace) -> dict[str, str]:
     if options.write:
         plots.growth(results, meshes.PICTURES / "growth.png")
     about = f"Measured on {measure.machine()}.\n\n![Time and memory against size](figures/growth.png)\n\n"
-    return {"growth": f"{tables.table(HEADING, map(row, results))}\n{phase_table(results)}\n{about}"}
+    print(phase_table(results), flush=True)
+    return {"growth": f"{tables.table(HEADING, map(row, results))}\n{about}"}
 
 
 def row(result: dict[str, Any]) -> list[str]:
