@@ -40,13 +40,7 @@ fi
 if [ -n "$report" ]; then
   {
     sed '/^| times/,$d' "$report"
-    # Of the table of kinds only the rows with findings; the other kinds follow in a sentence.
-    sed -n '/^| times/,$p' "$findings" | sed '$d' | awk -F ' *[|] *' '
-      /^\| kind / { kinds = 1; print; next }
-      kinds && /^\| / && $4 == 0 { none = none (none ? ", " : "") $2 " " $3; next }
-      { print }
-      END { if (none) print "Kinds without findings, with the number of their meshes: " none ".\n" }
-    ' | fold -s -w 140 | sed 's/ $//'
+    sed -n '/^| times/,$p' "$findings" | sed '$d'
     echo "$(tail -n 1 "$findings" | sed 's/ in [0-9]* s / /'): \`tests/fuzz/run.sh --report $*\`."
     sed -n 's/^FINDING //p' "$findings" | sort | uniq -c | sort -rn | sed 's/^ *\([0-9]*\) \(.*\)/- \1 times: \2/'
   } >"$report.new"
