@@ -57,15 +57,12 @@ bool MemoryBudget::fits(std::int64_t bytes) const {
 }
 
 void MemoryBudget::refuse(std::int64_t bytes, const char* comparison) const {
-  std::string advice = "give a larger memory budget";
-  if (options_.form != IndexForm::tables) {
-    advice +=
-        options_.delta > 0.0 ? " or a larger delta" : ", or a delta above 0, which makes the graph smaller";
-  }
+  const bool is_pruned = options_.delta > 0.0;
   throw InvalidInput(
       "The memory budget is " + std::to_string(mib()) + " MiB, but the index of this mesh takes " +
-      comparison + " " + std::to_string((bytes + bytes_per_mib - 1) / bytes_per_mib) + " MiB" +
-      (options_.form == IndexForm::tables ? "" : " in its smallest form") + ": " + advice + ".");
+      comparison + " " + std::to_string((bytes + bytes_per_mib - 1) / bytes_per_mib) +
+      " MiB in its smallest form: give a larger memory budget" +
+      (is_pruned ? " or a larger delta." : ", or a delta above 0, which makes the graph smaller."));
 }
 
 std::int64_t MemoryBudget::layer_bytes(const IndexData& data) const {
@@ -73,7 +70,6 @@ std::int64_t MemoryBudget::layer_bytes(const IndexData& data) const {
 }
 
 IndexForm MemoryBudget::form_of(std::int64_t with_transit) const {
-  if (options_.form != IndexForm::automatic) return options_.form;
   return options_.delta == 0.0 && fits(with_transit) ? IndexForm::tables : IndexForm::graph;
 }
 
@@ -82,7 +78,6 @@ IndexForm MemoryBudget::form_of(const IndexData& data) const {
   const std::int64_t both = data.bytes() + layer_bytes(data) + landmarks;
   const std::int64_t tables = both + transit_bytes(data.first, tables_in_file_) + access_bounds_bytes(data);
   const IndexForm form = form_of(tables);
-  if (form == IndexForm::tables && !fits(tables)) refuse(tables, "at least");
   if (form == IndexForm::graph && !fits(both)) refuse(both, "more than");
   return form;
 }

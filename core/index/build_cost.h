@@ -29,8 +29,7 @@ class MemoryBudget {
   /// The form of an index that takes so much with the transit table.
   IndexForm form_of(std::int64_t with_transit) const;
   /// The form for an index that is laid out but has no tables yet: the sizes of all tables follow from the
-  /// layout. \throw InvalidInput if not even the tables that both forms need fit, or if the tables of the
-  /// requested form do not.
+  /// layout. \throw InvalidInput if not even the tables that both forms need fit.
   IndexForm form_of(const IndexData& data) const;
   /// \throw InvalidInput if a finished index is larger than the budget.
   void require(const IndexData& data) const;

@@ -2,7 +2,6 @@
 #include "index/geodesic_index.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <new>
@@ -21,9 +20,7 @@
 
 namespace vorogeo {
 
-const char* to_string(IndexForm form) {
-  return std::array{"automatic", "tables", "graph"}.at(static_cast<std::size_t>(form));
-}
+const char* to_string(IndexForm form) { return form == IndexForm::tables ? "tables" : "graph"; }
 
 namespace {
 

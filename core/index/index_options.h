@@ -7,14 +7,14 @@
 
 namespace vorogeo {
 
-/// What an index holds for routes between far points; either form answers all queries.
+/// What an index holds for routes between far points; either form answers all queries. It holds tables if
+/// delta is 0 and they fit the memory budget.
 enum class IndexForm : std::uint8_t {
-  automatic,  ///< as an option: tables if delta is 0 and they fit the memory budget, else the graph
-  tables,     ///< the transit table: fast
-  graph       ///< instead of it a pruned graph that is searched (A*): small
+  tables,  ///< the transit table: fast
+  graph    ///< instead of it a pruned graph that is searched (A*): small
 };
 
-/// Name of a form that was built: "tables" or "graph".
+/// "tables" or "graph".
 const char* to_string(IndexForm form);
 
 /// Memory that an index may take unless another budget is given, in MiB.
@@ -36,7 +36,6 @@ struct IndexOptions {
   /// Memory that the index may take in addition to the mesh, in MiB; 0: default_memory_budget. The form
   /// depends on it.
   std::int64_t memory_budget = 0;
-  IndexForm form = IndexForm::automatic;
 };
 
 /// What an index holds and what it cost.

@@ -1,6 +1,7 @@
 // Every public question, as the contract tests ask it: the only file here that knows the classes that answer.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -12,6 +13,7 @@
 #include "mesh/metric.h"
 #include "query/surface.h"
 #include "support/error.h"
+#include "support/indexes.h"
 #include "support/refusal.h"
 #include "support/shapes.h"
 #include "tasks/bands.h"
@@ -238,7 +240,7 @@ class Ask {
     options.second_layer_patches = build.patches_in_each;
     options.threads = build.threads;
     options.delta = build.delta;
-    if (build.small) options.form = IndexForm::graph;
+    if (build.small) options.delta = std::max(build.delta, test::lossless_delta);
     return options;
   }
   static Answer method(By by) {

@@ -21,7 +21,7 @@ struct Made {
 
   bool is_of(const Soup& other, const IndexOptions& with) const {
     auto choices = [](const IndexOptions& of) {
-      return std::tuple(of.first_layer_patches, of.second_layer_patches, of.delta, of.threads, of.form);
+      return std::tuple(of.first_layer_patches, of.second_layer_patches, of.delta, of.threads);
     };
     return choices(options) == choices(with) && soup.faces == other.faces &&
            soup.positions == other.positions;
@@ -31,8 +31,7 @@ struct Made {
 }  // namespace
 
 std::shared_ptr<const GeodesicIndex> make_index(const Soup& soup, Index first_layer_patches,
-                                                Index second_layer_patches, double delta, int threads,
-                                                IndexForm form) {
+                                                Index second_layer_patches, double delta, int threads) {
   constexpr std::size_t kept = 48;
   // The newest first: tests of one question ask for the same indexes, and from one thread at a time.
   static std::deque<Made> made;
@@ -41,17 +40,11 @@ std::shared_ptr<const GeodesicIndex> make_index(const Soup& soup, Index first_la
   options.second_layer_patches = second_layer_patches;
   options.delta = delta;
   options.threads = threads;
-  options.form = form;
   const auto before = std::ranges::find_if(made, [&](const Made& one) { return one.is_of(soup, options); });
   if (before != made.end()) return before->index;
   made.push_front({soup, options, GeodesicIndex::build(make_mesh(soup), options)});
   if (made.size() > kept) made.pop_back();
   return made.front().index;
-}
-
-std::shared_ptr<const GeodesicIndex> make_graph_index(const Soup& soup, Index first_layer_patches,
-                                                      Index second_layer_patches, double delta) {
-  return make_index(soup, first_layer_patches, second_layer_patches, delta, 0, IndexForm::graph);
 }
 
 std::string loading(const std::filesystem::path& file, const std::shared_ptr<const Mesh>& mesh) {

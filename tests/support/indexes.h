@@ -19,11 +19,10 @@ namespace vorogeo::test {
 /// An index of a soup with the given numbers of patches (0: automatic).
 std::shared_ptr<const GeodesicIndex> make_index(const Soup& soup, Index first_layer_patches = 0,
                                                 Index second_layer_patches = 0, double delta = 0.0,
-                                                int threads = 0, IndexForm form = IndexForm::automatic);
+                                                int threads = 0);
 
-/// The same in the form of a graph.
-std::shared_ptr<const GeodesicIndex> make_graph_index(const Soup& soup, Index first_layer_patches,
-                                                      Index second_layer_patches, double delta = 0.0);
+/// A delta that selects the form of a graph and prunes nothing: 1 + delta is 1.
+inline constexpr double lossless_delta = 1e-300;
 
 /// Questions to an index, whatever might answer sooner.
 class IndexQuery {

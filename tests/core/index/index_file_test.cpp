@@ -326,7 +326,7 @@ TEST_F(DamagedIndex, PlacesOfAnotherVersionAreNoDamage) {
 /// The same for an index in the form of a graph.
 class DamagedGraph : public DamagedIndex {
  protected:
-  DamagedGraph() : DamagedIndex(*test::make_graph_index(test::icosphere(3), 5, 4)) {}
+  DamagedGraph() : DamagedIndex(*test::make_index(test::icosphere(3), 5, 4, test::lossless_delta)) {}
 };
 
 TEST_F(DamagedGraph, OfTheOtherForm) {

@@ -33,7 +33,7 @@ TEST(GraphRouter, FindsTheLeastOfAllSums) {
   // Farther from the other end of its first-layer patch than any two members of that patch are.
   const test::Soup limb = test::plane_grid(120, 8, 12.0, 0.8, 0.2).soup;
   for (const test::Soup& soup : {test::hills(28, 0.2), two, limb}) {
-    const auto index = test::make_graph_index(soup, 6, 3);
+    const auto index = test::make_index(soup, 6, 3, test::lossless_delta);
     const IndexData& data = index->data();
     const auto all = test::graph_distances(data.graph);
     GraphRouter router(data);

@@ -45,7 +45,8 @@ std::vector<ExactSource> in_corners(const Mesh& mesh, const std::vector<Index>& 
 
 TEST(IndexQuery, OnePipelineWhateverIsAsked) {
   for (const test::Soup& soup : {test::icosphere(4), test::hills(34, 0.3), test::bow_tie(9).soup}) {
-    for (const auto& index : {test::make_index(soup, 5, 4), test::make_graph_index(soup, 5, 4)}) {
+    for (const auto& index :
+         {test::make_index(soup, 5, 4), test::make_index(soup, 5, 4, test::lossless_delta)}) {
       const Mesh& mesh = *index->mesh();
       test::IndexQuery query(index, 2);
       std::vector<SurfacePoint> targets;
