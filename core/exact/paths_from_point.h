@@ -32,9 +32,6 @@ class PathsFromPoint {
   /// reached then.
   void propagate_to(double distance, const Progress& progress = {});
 
-  /// Distances up to this one are known.
-  double reach() const { return reach_; }
-
  private:
   bool extend(double reach, const Progress& progress);
 
@@ -42,7 +39,7 @@ class PathsFromPoint {
   double longest_side_;  ///< no point of a face is farther than this from its corners
   LocalSolver solver_;
   SurfacePoint source_;
-  double reach_ = 0.0;
+  double reach_ = 0.0;  ///< distances up to this one are known
 };
 
 }  // namespace vorogeo
