@@ -62,7 +62,7 @@ FaceFrame frame_of(const ExactGeometry& geometry, Index halfedge) {
 
 ExactGeometry::ExactGeometry(std::shared_ptr<const Mesh> shared_mesh) : mesh(std::move(shared_mesh)) {
   if (!mesh->metric_agrees_somewhere()) require_agreeing_faces(*mesh, "Windows");
-  require_lengths(*mesh, "exact distances take", exact_lengths.least_mean, exact_lengths.greatest);
+  require_lengths(*mesh, "exact distances take", exact_lengths);
   find_long_edges();
   const Index halfedges = 3 * mesh->face_count();
   frame.resize(halfedges);

@@ -31,7 +31,7 @@ void require_buildable(const Mesh& mesh, const IndexOptions& options) {
                        " MiB; give a positive number, or 0 for " + std::to_string(default_memory_budget) +
                        " MiB.");
   }
-  require_lengths(mesh, "an index takes", index_lengths.least_mean, index_lengths.greatest);
+  require_lengths(mesh, "an index takes", index_lengths);
 }
 
 // ---- Memory, and the form that it allows

@@ -13,6 +13,7 @@
 #include <tuple>
 
 #include "mesh/vectors.h"
+#include "support/disjoint_sets.h"
 #include "support/error.h"
 #include "support/parallel.h"
 #include "support/progress.h"
@@ -166,20 +167,14 @@ void Mesh::measure_edges() {
 }
 
 void Mesh::find_components() {
-  std::vector<Index> parent(positions_.size());
-  for (Index v = 0; v < vertex_count(); ++v) parent[v] = representative(v);
-  auto root = [&](Index v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
-  for (const Index e : checked(edge_count())) {
-    const auto& edge = edge_vertices_[e];
-    const auto [a, b] = std::minmax({root(edge[0]), root(edge[1])});
-    parent[b] = a;
+  DisjointSets sets(vertex_count());
+  if (has_merged_vertices()) {
+    for (Index v = 0; v < vertex_count(); ++v) sets.join_at_least(v, representative(v));
   }
+  for (const Index e : checked(edge_count())) sets.join_at_least(edge_vertices_[e][0], edge_vertices_[e][1]);
   component_.assign(positions_.size(), no_index);
   for (const Index v : checked(vertex_count())) {
-    const Index r = root(v);
+    const Index r = sets.root(v);
     component_[v] = r == v ? component_count_++ : component_[r];
   }
 }
@@ -501,10 +496,6 @@ double Mesh::mean_angle_defect() const {
     ++count;
   }
   return count == 0 ? 0.0 : sum / count;
-}
-
-void require_lengths(const Mesh& mesh, const std::string& what, double least_mean, double greatest) {
-  require_lengths(mesh.mean_edge_length(), mesh.longest_edge_length(), what, {least_mean, greatest});
 }
 
 // ---- A mesh whose edges have other lengths than in space

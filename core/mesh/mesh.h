@@ -336,11 +336,6 @@ void require_agreeing_faces(const Mesh& mesh, const std::string& what);
 /// \throw InvalidInput.
 void require_both_ways_alike(const Mesh& mesh, const std::string& what);
 
-/// Refuses edge lengths outside the range of the arithmetic. `what` begins the sentence that states the
-/// accepted lengths: "exact distances take". A mesh whose edges are all of length 0 passes. \throw
-/// InvalidInput.
-void require_lengths(const Mesh& mesh, const std::string& what, double least_mean, double greatest);
-
 // ---- Which edge lengths the core can compute with, and the scale that is advised for others
 
 /// Range of edge lengths of a mesh: the least mean, and the greatest length of a single edge.
@@ -362,6 +357,9 @@ inline constexpr LengthLimits index_lengths{1e-28, 1e28};
 /// Refuses edge lengths outside the range of the arithmetic. `what` begins the sentence that states the
 /// accepted lengths: "exact distances take". \throw InvalidInput.
 void require_lengths(double mean, double longest, const std::string& what, const LengthLimits& limits);
+inline void require_lengths(const Mesh& mesh, const std::string& what, const LengthLimits& limits) {
+  require_lengths(mesh.mean_edge_length(), mesh.longest_edge_length(), what, limits);
+}
 
 /// The power of ten that brings mean and longest edge closest to 1 when coordinates are multiplied by it.
 double factor_to_unit(double mean, double longest);

@@ -30,16 +30,6 @@ LargestComponent largest_component(const Mesh& mesh) {
 
 // ---- Pieces of a component that are connected by short edges
 
-namespace {
-
-/// Joins two sets; their first vertex stands for them.
-void join_at_first(DisjointSets& sets, Index a, Index b) {
-  const auto [low, high] = std::minmax({sets.root(a), sets.root(b)});
-  sets.join(high, low);
-}
-
-}  // namespace
-
 Outliers find_outliers(const Mesh& mesh) {
   Outliers result;
   const double longest = outlier_edges * mesh.typical_edge_length();
@@ -47,7 +37,7 @@ Outliers find_outliers(const Mesh& mesh) {
   DisjointSets pieces(mesh.vertex_count());
   for (const Index e : checked(mesh.edge_count())) {
     const auto [a, b] = mesh.edge_vertices(e);
-    if (mesh.edge_length(e) <= longest) join_at_first(pieces, a, b);
+    if (mesh.edge_length(e) <= longest) pieces.join_at_least(a, b);
   }
   std::vector<Index> size(mesh.vertex_count(), 0);
   std::vector<Index> component_size(mesh.component_count(), 0);
@@ -79,7 +69,7 @@ Outliers find_outliers(const Mesh& mesh) {
   DisjointSets groups(mesh.vertex_count());
   for (Index e = 0; e < mesh.edge_count(); ++e) {
     const auto [a, b] = mesh.edge_vertices(e);
-    if (is_outlier[a] != 0 && is_outlier[b] != 0) join_at_first(groups, a, b);
+    if (is_outlier[a] != 0 && is_outlier[b] != 0) groups.join_at_least(a, b);
     if (is_outlier[a] != is_outlier[b]) shortest = std::min(shortest, mesh.edge_length(e));
   }
   result.least_ratio = shortest / mesh.typical_edge_length();

@@ -144,8 +144,7 @@ std::vector<Box> boxes_of_faces(const Mesh& mesh) {
         "Points in space cannot be moved to a surface that has edge lengths and no positions; name faces and "
         "barycentric weights, or give positions as well.");
   }
-  require_lengths(mesh, "moving points to the surface takes", exact_lengths.least_mean,
-                  exact_lengths.greatest);
+  require_lengths(mesh, "moving points to the surface takes", exact_lengths);
   std::vector<Box> boxes;
   boxes.reserve(mesh.first_bridge());
   for (Index f = 0; f < mesh.first_bridge(); ++f) {

@@ -172,7 +172,7 @@ class Heat final : public GeodesicMethod {
   Heat(const std::shared_ptr<const Mesh>& mesh, const MethodOptions& options, const Progress& progress)
       : GeodesicMethod(mesh, "Heat method"), surface_(*mesh) {
     const Watch watch(progress, "Heat method: factorising");
-    require_lengths(*mesh, "The heat method takes", 1e-60, 1e60);
+    require_lengths(*mesh, "The heat method takes", exact_lengths);
     if (options.at("delaunay") != 0.0) surface_.make_delaunay();
     const Index count = mesh->vertex_count();
     std::vector<Eigen::Triplet<double>> laplacian;

@@ -41,7 +41,7 @@ double side(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
 
 VirtualSources::VirtualSources(std::shared_ptr<const Mesh> mesh)
     : mesh_(std::move(mesh)), faces_(mesh_->face_count()) {
-  require_lengths(*mesh_, "virtual sources take", exact_lengths.least_mean, exact_lengths.greatest);
+  require_lengths(*mesh_, "virtual sources take", exact_lengths);
   records_.resize(faces_.size());
   parallel_ranges(mesh_->face_count(), [&](Index begin, Index end) {
     for (Index f = begin; f < end; ++f) {

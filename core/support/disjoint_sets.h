@@ -1,6 +1,7 @@
 // Disjoint sets of numbers that are joined step by step.
 #pragma once
 
+#include <algorithm>
 #include <numeric>
 #include <vector>
 
@@ -8,7 +9,7 @@
 
 namespace vorogeo {
 
-/// Union-find with path halving; complexity of both functions: O(log n) amortised.
+/// Union-find with path halving; complexity of all functions: O(log n) amortised.
 class DisjointSets {
  public:
   /// The numbers 0 to count - 1, each in a set of its own.
@@ -21,6 +22,11 @@ class DisjointSets {
   }
   /// Joins the sets of i and j; the root of j becomes that of both.
   void join(Index i, Index j) { parent_[root(i)] = root(j); }
+  /// Joins them too; the least number of a set that is only joined so is its root.
+  void join_at_least(Index i, Index j) {
+    const auto [least, other] = std::minmax({root(i), root(j)});
+    parent_[other] = least;
+  }
 
  private:
   std::vector<Index> parent_;
