@@ -59,21 +59,25 @@ AlongPath along_path(const Mesh& mesh, const PointList& path) {
   return {mesh, Points(points.begin(), points.end())};
 }
 
-/// Exact paths between points of two lists, which `refuse(i)` names if none joins a pair.
-template <class Refuse>
+/// Tells what answered; its time is in addition to that of earlier paths.
+void add_answered(const TaskOptions& options, Answered answered) {
+  if (options.answered == nullptr) return;
+  answered.seconds += options.answered->seconds;
+  answered.index_seconds += options.answered->index_seconds;
+  *options.answered = answered;
+}
+
+/// Exact paths between points of two lists. \throw InvalidInput for a pair that none joins, as if both lists
+/// were one.
 std::vector<ExactPath> legs(Surface& surface, const Points& from, const Points& to,
-                            const TaskOptions& options, Refuse&& refuse) {
+                            const TaskOptions& options) {
   Answered answered;
   const PointList sources = from, targets = to;
   auto found = surface.paths({sources, targets}, options.by, {.exact = true}, answered, options.progress);
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (found[i].path.points.empty()) refuse(i);
+    if (found[i].path.points.empty()) refuse_leg(*surface.mesh(), i, from[i], i + 1, to[i]);
   }
-  if (options.answered != nullptr) {
-    answered.seconds += options.answered->seconds;
-    answered.index_seconds += options.answered->index_seconds;
-    *options.answered = answered;
-  }
+  add_answered(options, answered);
   return found;
 }
 
@@ -89,14 +93,13 @@ Points casteljau(Surface& surface, const std::vector<Points>& controls, Index sa
   const Mesh& mesh = *surface.mesh();
   const std::size_t order = controls[0].size();
   Points from, to;
-  const auto refuse = [&](std::size_t i) { refuse_leg(mesh, i, from[i], i + 1, to[i]); };
   // On the first level, all parameters share the paths.
   for (const Points& control : controls) {
     from.insert(from.end(), control.begin(), control.end() - 1);
     to.insert(to.end(), control.begin() + 1, control.end());
   }
   const double levels = static_cast<double>(order) - 1.0;
-  const auto first = legs(surface, from, to, part_of(options, 0.0, 1.0 / levels), refuse);
+  const auto first = legs(surface, from, to, part_of(options, 0.0, 1.0 / levels));
   std::vector<Points> rows(controls.size() * static_cast<std::size_t>(samples));
   const auto parameter = [&](std::size_t row) {
     return static_cast<double>(row % static_cast<std::size_t>(samples)) / samples;
@@ -116,8 +119,7 @@ Points casteljau(Surface& surface, const std::vector<Points>& controls, Index sa
       to.insert(to.end(), row.begin() + 1, row.end());
     }
     const double done = static_cast<double>(level);
-    const auto found =
-        legs(surface, from, to, part_of(options, (done - 1.0) / levels, done / levels), refuse);
+    const auto found = legs(surface, from, to, part_of(options, (done - 1.0) / levels, done / levels));
     std::size_t leg = 0;
     for (std::size_t row = 0; row < rows.size(); ++row) {
       Points next;
@@ -158,11 +160,10 @@ PointList checked_controls(const Mesh& mesh, const PointList& points, std::size_
 /// The paths between neighbours of a list. \throw InvalidInput for two that none joins.
 std::vector<ExactPath> legs_of(Surface& surface, const PointList& points, bool closed,
                                const TaskOptions& options) {
-  const Mesh& mesh = *surface.mesh();
-  Points from(points.begin(), points.end()), to(points.begin() + 1, points.end());
-  closed ? to.push_back(points[0]) : from.pop_back();
-  return legs(surface, from, to, options,
-              [&](std::size_t i) { refuse_leg(mesh, i, from[i], (i + 1) % points.size(), to[i]); });
+  Answered answered;
+  auto found = legs_between(surface, points, closed, {options.by, options.progress, &answered});
+  add_answered(options, answered);
+  return found;
 }
 
 Points middles(Surface& surface, const Points& points, bool closed, const TaskOptions& options) {

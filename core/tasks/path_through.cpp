@@ -30,22 +30,27 @@ void refuse_step(const Mesh& mesh, const PointList& path, std::size_t i) {
                      ") of the path share no face; give one that path() or path_through() found.");
 }
 
+std::vector<ExactPath> legs_between(Surface& surface, const PointList& points, bool closed,
+                                    const TaskOptions& options) {
+  std::vector<SurfacePoint> from(points.begin(), points.end()), to(points.begin() + 1, points.end());
+  closed ? to.push_back(points[0]) : from.pop_back();
+  Answered answered;
+  auto legs = surface.paths({from, to}, options.by, {.exact = true}, answered, options.progress);
+  if (options.answered != nullptr) *options.answered = answered;
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    if (legs[i].path.points.empty()) refuse_leg(*surface.mesh(), i, from[i], (i + 1) % points.size(), to[i]);
+  }
+  return legs;
+}
+
 ExactPath path_through(Surface& surface, const PointList& points, bool closed, const TaskOptions& options) {
   if (points.size() < 2) {
     throw InvalidInput("There are " + std::to_string(points.size()) +
                        " points to pass through; give at least two.");
   }
-  const Mesh& mesh = *surface.mesh();
-  const PointList passed = points_on(mesh, points, "Point");
-  std::vector<SurfacePoint> from(passed.begin(), passed.end()), to(passed.begin() + 1, passed.end());
-  closed ? to.push_back(passed[0]) : from.pop_back();
-  Answered answered;
-  const auto legs = surface.paths({from, to}, options.by, {.exact = true}, answered, options.progress);
-  if (options.answered != nullptr) *options.answered = answered;
-  ExactPath whole{{{from[0]}, 0.0}, true};
-  for (std::size_t i = 0; i < legs.size(); ++i) {
-    const auto& [leg, certified] = legs[i];
-    if (leg.points.empty()) refuse_leg(mesh, i, from[i], (i + 1) % passed.size(), to[i]);
+  const PointList passed = points_on(*surface.mesh(), points, "Point");
+  ExactPath whole{{{passed[0]}, 0.0}, true};
+  for (const auto& [leg, certified] : legs_between(surface, passed, closed, options)) {
     whole.path.points.insert(whole.path.points.end(), leg.points.begin() + 1, leg.points.end());
     whole.path.length += leg.length;
     whole.certified = whole.certified && certified;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "query/surface.h"
 #include "tasks/workers.h"
@@ -15,6 +16,11 @@ namespace vorogeo {
 /// exact path for each leg.
 ExactPath path_through(Surface& surface, const PointList& points, bool closed,
                        const TaskOptions& options = {});
+
+/// The exact shortest paths from each of some points on the mesh to the next, and where `closed` from the
+/// last to the first. \throw InvalidInput for two that no path joins; Cancelled.
+std::vector<ExactPath> legs_between(Surface& surface, const PointList& points, bool closed,
+                                    const TaskOptions& options);
 
 /// A point as sentences name it: by its vertex, or by its face.
 std::string name_of(const Mesh& mesh, const SurfacePoint& point);

@@ -26,22 +26,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-std::vector<ExactPath> legs_between(Surface& surface, const PointList& points, const TaskOptions& options) {
-  std::vector<SurfacePoint> ends(points.begin(), points.end());
-  std::ranges::rotate(ends, ends.begin() + 1);
-  Answered answered;
-  std::vector<ExactPath> legs;
-  for (ExactPath& one : surface.paths({points, ends}, options.by, {.exact = true},
-                                      options.answered ? *options.answered : answered, options.progress)) {
-    const std::size_t i = legs.size();
-    if (one.path.points.empty()) {
-      refuse_leg(*surface.mesh(), i, points[i], (i + 1) % points.size(), ends[i]);
-    }
-    legs.push_back(std::move(one));
-  }
-  return legs;
-}
-
 /// \throw InvalidInput for a leg without length, and where two legs share more than their beginning.
 void require_simple(const std::vector<std::vector<Index>>& legs) {
   const auto empty = std::ranges::find_if(legs, [](const auto& leg) { return leg.empty(); });
@@ -158,7 +142,7 @@ GeodesicPolygon geodesic_polygon(Surface& surface, const PointList& given, const
                        ".");
   }
   require_both_ways_alike(mesh, "Polygons");
-  auto legs = legs_between(surface, points, options);
+  auto legs = legs_between(surface, points, true, options);
   const Watch watch(options.progress, "Polygon");
   EnclosedPart inside = enclosed_by(mesh, legs);
   GeodesicPolygon polygon = measured(mesh, std::move(legs), inside);
@@ -350,7 +334,7 @@ GeodesicPolygon convex_hull(Surface& surface, const PointList& given, const Task
   for (const Index i : corners) ends.push_back(points[i]);
   auto rest = options;
   rest.progress = options.progress.part(0.9, 1.0);
-  auto legs = legs_between(surface, ends, rest);
+  auto legs = legs_between(surface, ends, true, rest);
   const Watch watch(rest.progress, "Convex hull");
   EnclosedPart inside = [&] {
     try {
