@@ -635,20 +635,9 @@ class RidgeMaker {
     const auto is_far = [&](Index point) {
       return !(ridge_.distance[point] <= state_.max_distance) || ridge_.distance[point] == unreachable;
     };
-    Ridge kept;
-    std::vector<Index> number(ridge_.points.size(), no_index);
-    for (const auto& edge : ridge_.edges) {
-      if (is_far(edge[0]) || is_far(edge[1])) continue;
-      for (const Index point : edge) {
-        if (number[point] != no_index) continue;
-        number[point] = static_cast<Index>(kept.points.size());
-        kept.points.push_back(ridge_.points[point]);
-        kept.distance.push_back(ridge_.distance[point]);
-        kept.angle.push_back(ridge_.angle[point]);
-      }
-      kept.edges.push_back({number[edge[0]], number[edge[1]]});
-    }
-    return kept;
+    std::vector<bool> is_gone;
+    for (const auto& [a, b] : ridge_.edges) is_gone.push_back(is_far(a) || is_far(b));
+    return without_edges(ridge_, is_gone);
   }
 
   const ExactSolver& solver_;
@@ -693,6 +682,25 @@ std::vector<Index> sources_of_enclosed_regions(const ExactSolver::State& state, 
 }
 
 }  // namespace
+
+Ridge without_edges(const Ridge& ridge, const std::vector<bool>& is_gone) {
+  Ridge rest;
+  std::vector<Index> number(ridge.points.size(), no_index);
+  for (std::size_t e = 0; e < ridge.edges.size(); ++e) {
+    if (is_gone[e]) continue;
+    std::array<Index, 2>& edge = rest.edges.emplace_back(ridge.edges[e]);
+    for (Index& point : edge) {
+      if (number[point] == no_index) {
+        number[point] = static_cast<Index>(rest.points.size());
+        rest.points.push_back(ridge.points[point]);
+        rest.distance.push_back(ridge.distance[point]);
+        rest.angle.push_back(ridge.angle[point]);
+      }
+      point = number[point];
+    }
+  }
+  return rest;
+}
 
 Ridge ExactSolver::ridge() const {
   state_->require_windows();

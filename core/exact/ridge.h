@@ -27,4 +27,7 @@ struct Ridge {
   std::vector<double> angle;
 };
 
+/// Those edges whose numbers are not marked, and their points.
+Ridge without_edges(const Ridge& ridge, const std::vector<bool>& is_gone);
+
 }  // namespace vorogeo

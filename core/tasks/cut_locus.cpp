@@ -41,23 +41,7 @@ Ridge with_angle(const Ridge& all, double min_angle) {
       look_at(next);
     }
   }
-  Ridge kept;
-  std::vector<Index> number(count, no_index);
-  const auto keep = [&](Index point) {
-    if (number[point] == no_index) {
-      number[point] = static_cast<Index>(kept.points.size());
-      kept.points.push_back(all.points[point]);
-      kept.distance.push_back(all.distance[point]);
-      kept.angle.push_back(all.angle[point]);
-    }
-    return number[point];
-  };
-  for (std::size_t e = 0; e < all.edges.size(); ++e) {
-    if (is_gone[e]) continue;
-    const Index first = keep(all.edges[e][0]);
-    kept.edges.push_back({first, keep(all.edges[e][1])});
-  }
-  return kept;
+  return without_edges(all, is_gone);
 }
 
 }  // namespace
