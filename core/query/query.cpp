@@ -49,7 +49,7 @@ const LocalSolver& Query::solved(std::span<const ExactSource> sources, double ma
     if (!solver_) solver_.emplace(surface_.geometry());
   }
   limits.distances_only = distances_only;
-  limits.threads = threads > 1 ? threads_for_field(*surface_.mesh(), threads) : 1;
+  limits.threads = threads_for_field(*surface_.mesh(), threads);
   return solved(sources, limits);
 }
 
@@ -135,7 +135,7 @@ std::vector<double> Query::field_of_lines(std::span<const ExactSource> sources,
                                           int threads, const Progress& progress) {
   const ExactLimits limits{.max_distance = max_distance,
                            .distances_only = true,
-                           .threads = threads > 1 ? threads_for_field(*surface_.mesh(), threads) : 1,
+                           .threads = threads_for_field(*surface_.mesh(), threads),
                            .segments = segments,
                            .progress = progress ? &progress : nullptr};
   return field_of(solved(sources, limits), Levelled(*surface_.mesh(), sources, max_distance), nullptr);
@@ -260,13 +260,12 @@ LogMap Query::log_map(const TangentFrame& frame, const std::optional<PointList>&
   // Points in faces need windows there, which a run that ends at vertices may not have.
   const bool only_vertices = !targets || targets->only_vertices();
   const std::vector<Index> vertices = targets && only_vertices ? targets->vertices() : std::vector<Index>{};
-  const LocalSolver& solver =
-      solved(source, {.max_distance = max_distance,
-                      .targets = vertices,
-                      .distances_only = only_vertices,
-                      .threads = threads > 1 ? threads_for_field(*surface_.mesh(), threads) : 1,
-                      .directions = &frame,
-                      .progress = progress ? &progress : nullptr});
+  const LocalSolver& solver = solved(source, {.max_distance = max_distance,
+                                              .targets = vertices,
+                                              .distances_only = only_vertices,
+                                              .threads = threads_for_field(*surface_.mesh(), threads),
+                                              .directions = &frame,
+                                              .progress = progress ? &progress : nullptr});
   return vectors_to(
       *surface_.mesh(), targets, frame, [&](const auto& point) { return solver.distance(point); },
       [&](const auto& point) { return solver.first_leg(point); });
