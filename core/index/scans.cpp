@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstring>
 
+#include "index/transit_table.h"
 #include "support/processor.h"
 
 namespace vorogeo {
@@ -13,8 +14,6 @@ namespace vorogeo {
 
 namespace {
 
-constexpr std::uint16_t infinite_entry_15 = 32767;
-constexpr std::uint16_t infinite_entry_16 = 65535;
 constexpr std::int16_t greatest_sum = 32767;
 
 using Bytes = std::uint8_t __attribute__((vector_size(32)));
@@ -94,7 +93,7 @@ void relax_lanes(const std::uint16_t* entries, TableScale scale, Index count, co
         if (count < block) {
           for (Index i = 0; i < count; ++i) {
             lanes.relax(base + i * lane_count,
-                        entries[i] == infinite_entry_15 ? unreachable_float : decode(entries[i]),
+                        entries[i] == PatchLayer::infinite_entry ? unreachable_float : decode(entries[i]),
                         first_name + i);
           }
           return;
@@ -107,7 +106,7 @@ void relax_lanes(const std::uint16_t* entries, TableScale scale, Index count, co
           const Masks wide = __builtin_convertvector(entry, Masks);
           Floats distance;
           decode(wide, distance);
-          distance = wide == infinite_entry_15 ? Floats{} + unreachable_float : distance;
+          distance = wide == PatchLayer::infinite_entry ? Floats{} + unreachable_float : distance;
           const float* from = base + static_cast<std::size_t>(begin) * lane_count;
           for (Index i = 0; i < block; ++i) {
             lanes.relax(from + i * lane_count, distance[i], first_name + begin + i);
@@ -173,7 +172,7 @@ void relax_by_line(const std::uint16_t* entries, TableScale scale, float base, I
       scale, [&](auto decode) __attribute__((always_inline)) {
         for (Index i = 0; i < count; ++i) {
           const float through = base + decode(entries[i]);
-          const bool is_less = (entries[i] != infinite_entry_15) & (through < least[i]);
+          const bool is_less = (entries[i] != PatchLayer::infinite_entry) & (through < least[i]);
           least[i] = is_less ? through : least[i];
           best[i] = is_less ? name : best[i];
         }
@@ -198,7 +197,7 @@ float relax_by_cell(const std::uint16_t* cell, Index rows, Index columns, const 
           const float start = base[row] + offset;
           for (Index i = 0; i < columns; ++i) {
             const float through = start + decode(entries[i]);
-            const bool is_less = (entries[i] != infinite_entry_16) & (through < least[i]);
+            const bool is_less = (entries[i] != TransitTable::infinite_entry) & (through < least[i]);
             least[i] = is_less ? through : least[i];
             best[i] = is_less ? first_name + row : best[i];
           }
@@ -221,7 +220,7 @@ float least_in_cell(const std::uint16_t* cell, Index rows, Index columns, const 
             const std::uint16_t* entries = cell + static_cast<std::size_t>(row) * columns;
             for (Index k = 0; k < columns; ++k) {
               const float sum = (from[row] + decode(entries[k])) + to[k];
-              if (entries[k] != infinite_entry_16 && sum < least) least = sum;
+              if (entries[k] != TransitTable::infinite_entry && sum < least) least = sum;
             }
           }
           return least;
@@ -234,7 +233,7 @@ float least_in_cell(const std::uint16_t* cell, Index rows, Index columns, const 
           Floats sum;
           decode(wide, sum);
           sum += from[row];
-          lane = ((wide != infinite_entry_16) & (sum < lane)) ? sum : lane;
+          lane = ((wide != TransitTable::infinite_entry) & (sum < lane)) ? sum : lane;
         }
         // The last part is the same for all rows.
         Floats last;
@@ -251,7 +250,7 @@ void scale_entries(const std::uint16_t* entries, Index count, TableScale scale, 
       scale, [&](auto decode) __attribute__((always_inline)) {
         for (Index i = 0; i < count; ++i) {
           const float distance = decode(entries[i]);
-          distances[i] = entries[i] == infinite_entry_15 ? unreachable_float : distance;
+          distances[i] = entries[i] == PatchLayer::infinite_entry ? unreachable_float : distance;
         }
       });
 }
@@ -389,7 +388,7 @@ void relax_within(const SeedLanes& seeds, const std::uint8_t* bounds, const std:
       scale, [&](auto decode) __attribute__((always_inline)) {
         const auto take = [&](Index lane) __attribute__((always_inline)) {
           const std::uint16_t* line = table + static_cast<std::size_t>(seeds.line[lane]) * line_size;
-          Entries entry = Entries{} + infinite_entry_15;
+          Entries entry = Entries{} + PatchLayer::infinite_entry;
           if (columns == width) {
             load(entry, line);
           } else {
@@ -399,7 +398,7 @@ void relax_within(const SeedLanes& seeds, const std::uint8_t* bounds, const std:
           Floats sum;
           decode(wide, sum);
           sum += seeds.distance[lane];
-          found = ((wide != infinite_entry_15) & (sum < found)) ? sum : found;
+          found = ((wide != PatchLayer::infinite_entry) & (sum < found)) ? sum : found;
         };
         // The best seed first: it rules out most of the others.
         Index best = 0;

@@ -32,9 +32,8 @@ constexpr std::size_t pairs_worth_landmarks = 1000;
 /// usually faster than a corridor for each.
 constexpr std::size_t targets_worth_propagation = 100;
 
-/// Pairs handed to a thread at a time: paths, and distances read from tables.
+/// Paths handed to a thread at a time.
 constexpr std::size_t paths_at_once = 16;
-constexpr std::size_t distances_at_once = 64;
 
 /// The part of a question's progress that the build of an index takes.
 constexpr double build_share = 0.9;

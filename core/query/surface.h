@@ -25,6 +25,9 @@ inline constexpr Index max_vertices_exact = 2000000;
 /// The same for an answer that is wanted at once, while a mouse moves.
 inline constexpr Index max_vertices_at_once = 50000;
 
+/// Pairs handed to a thread at a time, whose distances are read from tables.
+inline constexpr std::size_t distances_at_once = 64;
+
 /// What answered, and what that took.
 struct Answered {
   Answer by = Answer::exact;   ///< never automatic

@@ -14,16 +14,17 @@ namespace vorogeo {
 
 namespace {
 
-constexpr std::uint8_t greatest_bound = 255;
 /// Half of the greatest bound between borders: the sum of one of those and two of these stays within 15 bits.
 constexpr float greatest_to_border = 8191.0f;
+/// Bounds and distances are rounded differently, by far less than this.
+constexpr float rounding_slack = 1.000001f;
 
 }  // namespace
 
 /// A distance in units of the bounds, rounded down and clamped.
 std::uint8_t AccessDistances::in_bounds(float distance) const {
   return bound_unit_ > 0.0f ? static_cast<std::uint8_t>(std::min(distance / bound_unit_, 255.0f))
-                            : greatest_bound;
+                            : AccessBounds::infinite_entry;
 }
 
 std::vector<AccessDistances::Part>::iterator AccessDistances::add_part(Index patch) {
@@ -32,7 +33,7 @@ std::vector<AccessDistances::Part>::iterator AccessDistances::add_part(Index pat
   parts_.push_back({patch, begin, rows});
   const Index lanes = lanes_of(parts_.back());
   seed_distance_.resize(begin + lanes, unreachable_float);
-  seed_bound_.resize(begin + lanes, greatest_bound);
+  seed_bound_.resize(begin + lanes, AccessBounds::infinite_entry);
   place_.resize(begin + lanes, no_index);
   const Index* columns = data_.parent_column.data() + data_.second.border.begin[patch];
   column_.insert(column_.end(), columns, columns + rows);
@@ -154,9 +155,7 @@ Index AccessDistances::seed_of(std::size_t group, Index row) {
   Index best = 0;
   float least = unreachable_float;
   const Index in_group = row - groups()[group].row;
-  // The distance may have been rounded differently.
-  constexpr float slack = 1.000001f;
-  for (const Index lane : lanes_within(group, in_bounds(distance_[row] * slack))) {
+  for (const Index lane : lanes_within(group, in_bounds(distance_[row] * rounding_slack))) {
     const std::uint16_t entry = piece(lane, group)[in_group];
     if (entry == PatchLayer::infinite_entry) continue;
     const float sum = seed_distance_[lane] + scale_.distance(entry);
@@ -173,9 +172,6 @@ namespace {
 
 /// Cells that are examined in the order of their bounds.
 constexpr std::size_t first_cells = 4;
-
-/// Bounds and distances are rounded differently, by far less than this.
-constexpr float rounding_slack = 1.000001f;
 
 }  // namespace
 

@@ -12,9 +12,6 @@ namespace vorogeo {
 
 namespace {
 
-/// Pairs handed to a worker at a time.
-constexpr std::size_t pairs_at_once = 64;
-
 bool use_fields(const Workers& workers, MatrixMethod method, bool only_vertices, double fields,
                 double pairs) {
   if (workers.is_exact()) return true;
@@ -32,9 +29,9 @@ void require_size(std::size_t actual, std::size_t wanted) {
 /// Calls body(first, last, worker) for blocks of [0, count).
 template <class Body>
 void in_blocks(const Workers& workers, std::size_t count, Body&& body) {
-  parallel_for((count + pairs_at_once - 1) / pairs_at_once, workers.threads(), workers.progress(),
+  parallel_for((count + distances_at_once - 1) / distances_at_once, workers.threads(), workers.progress(),
                "Distances of pairs", [&](std::size_t item, int worker) {
-                 body(item * pairs_at_once, std::min(count, (item + 1) * pairs_at_once), worker);
+                 body(item * distances_at_once, std::min(count, (item + 1) * distances_at_once), worker);
                });
 }
 
