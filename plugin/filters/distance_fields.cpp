@@ -43,11 +43,9 @@ RichParameterList method_and_max_distance(const MeshDocument& document) {
 
 /// The limit to compute with: `unreachable` stands for none.
 double max_distance_of(const FilterCall& call) {
-  const double value = call.parameters.getAbsPerc("max_distance");
-  if (!std::isfinite(value) || value < 0.0) {
-    refuse(call, "max_distance", value,
-           ". Give a positive length in the unit of the mesh, or 0 for no limit.");
-  }
+  const double value =
+      checked_value(call, "max_distance", call.parameters.getAbsPerc("max_distance"), Values::from_0,
+                    ". Give a positive length in the unit of the mesh, or 0 for no limit.");
   return value == 0.0 ? unreachable : value;
 }
 
@@ -369,19 +367,13 @@ Distortion distortion_of(const Mesh& mesh, const LogMap& map) {
   return distortion;
 }
 
-/// A finite value. \throw InvalidInput.
-double finite_value(const FilterCall& call, const char* parameter, bool above_0) {
-  const double value = call.parameters.getFloat(parameter);
-  if (std::isfinite(value) && (value > 0.0 || !above_0)) return value;
-  refuse(call, parameter, value, above_0 ? ". Give a number above 0." : ". Give a finite number.");
-}
-
 Results directions_from_point(FilterCall& call) {
   const auto layer = layer_of(call);
   const auto mesh = layer->mesh();
   const double radius = length_of(call, "radius", true);
-  const double turn = finite_value(call, "rotation", false) * std::numbers::pi / 180.0;
-  const double scale = finite_value(call, "scale", true);
+  const double turn =
+      real_of(call, "rotation", Values::all, ". Give a finite number.") * std::numbers::pi / 180.0;
+  const double scale = real_of(call, "scale", Values::above_0, ". Give a number above 0.");
   const int rings = number_of(call, "rings", 0, ". Give 0 or a positive number.");
   const bool per_wedge = call.parameters.getBool("per_wedge");
   const SnappedPoint start = start_point(call, *layer);

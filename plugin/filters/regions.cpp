@@ -1,5 +1,7 @@
 // Filters that divide the surface: Voronoi regions, cut loci, patches in colours, isolines, cuts, polygons,
 // areas of regions, extent, disks and bands.
+#include <vcg/complex/algorithms/update/selection.h>
+
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
@@ -339,12 +341,8 @@ Results select_disk(FilterCall& call) {
       ask_task(call, *layer, "Geodesic disk", geodesic_disk, sources.points, radius);
   const auto mesh = layer->mesh();
   call.progress.report(1.0, "Selecting");
-  for (CVertexO& vertex : call.layer.cm.vert) {
-    if (!vertex.IsD()) vertex.ClearS();
-  }
-  for (CFaceO& face : call.layer.cm.face) {
-    if (!face.IsD()) face.ClearS();
-  }
+  vcg::tri::UpdateSelection<CMeshO>::VertexClear(call.layer.cm);
+  vcg::tri::UpdateSelection<CMeshO>::FaceClear(call.layer.cm);
   for (Index v : disk.vertices) call.layer.cm.vert[layer->host_vertex(v)].SetS();
   for (Index f : disk.faces) call.layer.cm.face[layer->host_face(*mesh, f)].SetS();
   call.log("Selected " + std::to_string(disk.vertices.size()) + " vertices and " +
@@ -473,9 +471,7 @@ Results draw_polygon(FilterCall& call) {
     const auto begin = leg.path.points.begin() + (border.points.empty() ? 0 : 1);
     border.points.insert(border.points.end(), begin, leg.path.points.end());
   }
-  for (CFaceO& face : call.layer.cm.face) {
-    if (!face.IsD()) face.ClearS();
-  }
+  vcg::tri::UpdateSelection<CMeshO>::FaceClear(call.layer.cm);
   for (const Index f : polygon.faces) call.layer.cm.face[layer->arrays().input_of_face[f]].SetS();
   const PathLines line = lines_of(*mesh, border);
   add_polyline_layer(call.document, call.layer, "Geodesic polygon", line.lines, line.along, true);

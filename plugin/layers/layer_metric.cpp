@@ -109,19 +109,12 @@ std::vector<double> cost_of_vertices(const FilterCall& call) {
   return costs_of(call, "vertex", call.layer.cm.vert, [&](std::size_t v) { return values[v]; });
 }
 
-/// A parameter that is a finite number above 0, or at least 0.
-double finite_number(const FilterCall& call, const char* name, bool may_be_zero) {
-  const double value = call.parameters.getFloat(name);
-  if (std::isfinite(value) && (value > 0.0 || (may_be_zero && value == 0.0))) return value;
-  refuse(call, name, value, may_be_zero ? ". Give a number of at least 0." : ". Give a number above 0.");
-}
+constexpr const char* advice_from_0 = ". Give a number of at least 0.";
 
 /// 0, any grade, in scripts that were written without it.
 double steepest_grade(const FilterCall& call) {
   if (!call.parameters.hasParameter("steepest_grade")) return 0.0;
-  const double value = call.parameters.getFloat("steepest_grade");
-  if (value >= 0.0 && std::isfinite(value)) return value;
-  refuse(call, "steepest_grade", value, ". Give a number above 0, or 0 for any grade.");
+  return real_of(call, "steepest_grade", Values::from_0, ". Give a number above 0, or 0 for any grade.");
 }
 
 /// The wind of each face by a custom attribute of the faces, or of their corners in the mean, in the scene.
@@ -330,25 +323,22 @@ LayerMeasure measure_of(const FilterCall& call) {
       measure.cost = cost_of_faces(call);
       break;
     case LayerMetric::slope:
-      measure.weight = finite_number(call, "slope_penalty", true);
+      measure.weight = real_of(call, "slope_penalty", Values::from_0, advice_from_0);
       measure.steepest = steepest_grade(call);
       break;
-    case LayerMetric::curvature: {
-      const double weight = call.parameters.getFloat("curvature_weight");
-      if (!std::isfinite(weight)) refuse(call, "curvature_weight", weight, ". Give a number.");
-      measure.weight = weight;
+    case LayerMetric::curvature:
+      measure.weight = real_of(call, "curvature_weight", Values::all, ". Give a number.");
       break;
-    }
     case LayerMetric::hiking:
       measure.steepest = steepest_grade(call);
       break;
     case LayerMetric::climbing:
       measure.steepest = steepest_grade(call);
-      measure.weight = finite_number(call, "uphill_cost", true);
-      measure.downhill = finite_number(call, "downhill_cost", true);
+      measure.weight = real_of(call, "uphill_cost", Values::from_0, advice_from_0);
+      measure.downhill = real_of(call, "downhill_cost", Values::from_0, advice_from_0);
       break;
     case LayerMetric::wind:
-      measure.weight = finite_number(call, "own_speed", false);
+      measure.weight = real_of(call, "own_speed", Values::above_0, ". Give a number above 0.");
       measure.wind = wind_of(call, measure.placement);
       break;
   }

@@ -62,12 +62,23 @@ RichLength max_snap_distance_parameter(const MeshDocument& document) {
                           "How far a point may be from the surface; 0: any distance.");
 }
 
+double checked_value(const FilterCall& call, const char* parameter, double value, Values allowed,
+                     const std::string& advice) {
+  const bool is_allowed =
+      allowed == Values::all || value > 0.0 || (allowed == Values::from_0 && value == 0.0);
+  if (!std::isfinite(value) || !is_allowed) refuse(call, parameter, value, advice);
+  return value;
+}
+
 double length_of(const FilterCall& call, const char* parameter, bool may_be_zero) {
-  const double length = call.parameters.getAbsPerc(parameter);
-  if (std::isfinite(length) && (length > 0.0 || (may_be_zero && length == 0.0))) return length;
-  refuse(call, parameter, length,
-         std::string(". Give a length ") + (may_be_zero ? "of 0 or more" : "above 0") +
-             " in the unit of the mesh or in percent.");
+  return checked_value(call, parameter, call.parameters.getAbsPerc(parameter),
+                       may_be_zero ? Values::from_0 : Values::above_0,
+                       std::string(". Give a length ") + (may_be_zero ? "of 0 or more" : "above 0") +
+                           " in the unit of the mesh or in percent.");
+}
+
+double real_of(const FilterCall& call, const char* parameter, Values allowed, const char* advice) {
+  return checked_value(call, parameter, call.parameters.getFloat(parameter), allowed, advice);
 }
 
 int number_of(const FilterCall& call, const char* parameter, int least, const char* advice, int greatest) {

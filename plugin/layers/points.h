@@ -2,6 +2,7 @@
 // selection, another layer.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -44,10 +45,16 @@ template <class Value>
 /// request only, after the others.
 RichLength length_parameter(const MeshDocument& document, const char* name, double share_of_diagonal,
                             const char* label, const char* tooltip, bool advanced = false);
-/// The value of a length. \throw InvalidInput if it is negative, not a number, or zero where that is not
-/// allowed.
-double length_of(const FilterCall& call, const char* parameter, bool may_be_zero);
 
+/// Which finite values a parameter may have.
+enum class Values : std::uint8_t { all, from_0, above_0 };
+/// \throw InvalidInput, which ends with `advice`, for a `value` that the parameter may not have.
+double checked_value(const FilterCall& call, const char* parameter, double value, Values allowed,
+                     const std::string& advice);
+/// The value of a length. \throw InvalidInput if it may not be so.
+double length_of(const FilterCall& call, const char* parameter, bool may_be_zero);
+/// The value of a number. \throw InvalidInput, which ends with `advice`, if it may not be so.
+double real_of(const FilterCall& call, const char* parameter, Values allowed, const char* advice);
 /// The value of a whole number. \throw InvalidInput, which ends with `advice`, if it is out of range.
 int number_of(const FilterCall& call, const char* parameter, int least, const char* advice,
               int greatest = std::numeric_limits<int>::max());
