@@ -71,8 +71,7 @@ ExactGeometry::ExactGeometry(std::shared_ptr<const Mesh> shared_mesh) : mesh(std
   });
 
   can_bend.assign(mesh->vertex_count(), never);
-  for (Index f = 0; f < mesh->face_count(); ++f) {
-    if (f % elements_per_checkpoint == 0) checkpoint();
+  for (const Index f : checked(mesh->face_count())) {
     std::array<double, 3> side{};
     for (int i = 0; i < 3; ++i) side[i] = mesh->edge_length(mesh->edge_of(3 * f + i));
     for (int i = 0; i < 3; ++i) {
@@ -124,8 +123,7 @@ void ExactGeometry::lay_out_corners(Index vertex) {
 
 void ExactGeometry::find_long_edges() {
   std::vector<double> shortest(mesh->vertex_count(), unreachable);
-  for (Index e = 0; e < mesh->edge_count(); ++e) {
-    if (e % elements_per_checkpoint == 0) checkpoint();
+  for (const Index e : checked(mesh->edge_count())) {
     const double length = mesh->edge_length(e);
     if (!(length > 0.0)) continue;
     for (Index v : mesh->edge_vertices(e)) shortest[v] = std::min(shortest[v], length);
@@ -147,8 +145,7 @@ void ExactGeometry::find_long_edges() {
     return std::tuple(outliers.piece_size[b], finest[piece_a], piece_b) >
            std::tuple(outliers.piece_size[a], finest[piece_b], piece_a);
   };
-  for (Index e = 0; e < mesh->edge_count(); ++e) {
-    if (e % elements_per_checkpoint == 0) checkpoint();
+  for (const Index e : checked(mesh->edge_count())) {
     const auto [a, b] = mesh->edge_vertices(e);
     const double length = mesh->edge_length(e);
     const double small = std::min(shortest[a], shortest[b]);

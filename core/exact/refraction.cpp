@@ -103,8 +103,7 @@ ApexOfSide apex_of(const EdgeFrame& frame, double cost) {
 FaceNorms::FaceNorms(std::shared_ptr<const Mesh> mesh, Index points_per_edge) : mesh_(std::move(mesh)) {
   double longest = 0.0;
   layout_.reserve(mesh_->face_count());
-  for (Index f = 0; f < mesh_->face_count(); ++f) {
-    if (f % elements_per_checkpoint == 0) checkpoint();
+  for (const Index f : checked(mesh_->face_count())) {
     const auto side = mesh_->side_lengths(f);
     auto corner = mesh_->corners_by_lengths(f);
     if (is_flat_triangle(side)) {

@@ -118,8 +118,7 @@ class LineGraph {
  private:
   template <class Visit>
   void for_each_face(Visit&& visit) {
-    for (Index f = 0; f < mesh_.face_count(); ++f) {
-      if (f % elements_per_checkpoint == 0) checkpoint();
+    for (const Index f : checked(mesh_.face_count())) {
       const auto& corners = mesh_.face_vertices(f);
       if (std::ranges::all_of(corners, [&](Index v) { return state_.vertices[v].distance == unreachable; }))
         continue;

@@ -343,8 +343,7 @@ FaceSteps::FaceSteps(const ExactGeometry& geometry) {
                           geometry.frame[h].apex_depth > 0.0;
     return is_plain ? h : no_index;
   };
-  for (Index h = 0; h < static_cast<Index>(step.size()); ++h) {
-    if (h % elements_per_checkpoint == 0) checkpoint();
+  for (const Index h : checked(static_cast<Index>(step.size()))) {
     const FaceFrame& frame = geometry.frame[h];
     const double length = mesh.edge_length(mesh.edge_of(h));
     const double from_first = frame.apex_x / length, from_second = geometry.apex_from_second(h) / length;

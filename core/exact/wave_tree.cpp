@@ -36,21 +36,14 @@ WaveTree::WaveTree(const ExactSolver::State& state)
   }
   std::ranges::sort(sources_on_edges_);
   first_part_.reserve(mesh_.edge_count() + 1);
-  for (Index e = 0; e < mesh_.edge_count(); ++e) {
-    if (e % elements_per_checkpoint == 0) checkpoint();
+  for (const Index e : checked(mesh_.edge_count())) {
     first_part_.push_back(static_cast<Index>(parts_.size()));
     divide(e);
   }
   first_part_.push_back(static_cast<Index>(parts_.size()));
-  for (Index f = 0; f < mesh_.face_count(); ++f) {
-    if (f % elements_per_checkpoint == 0) checkpoint();
-    find_origins(f);
-  }
+  for (const Index f : checked(mesh_.face_count())) find_origins(f);
   find_arrivals();
-  for (Index f = 0; f < mesh_.face_count(); ++f) {
-    if (f % elements_per_checkpoint == 0) checkpoint();
-    lay_side_by_side(f);
-  }
+  for (const Index f : checked(mesh_.face_count())) lay_side_by_side(f);
 }
 
 // ---- The parts of an edge: its windows, and what is nearest along it

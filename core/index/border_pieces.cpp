@@ -43,8 +43,7 @@ std::vector<Box> boxes_of(const Mesh& mesh, const std::vector<Index>& vertices) 
 
 std::vector<Index> saddles_of(const Mesh& mesh, double least_angle) {
   std::vector<Index> found;
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    if (v % elements_per_checkpoint == 0) checkpoint();
+  for (const Index v : checked(mesh.vertex_count())) {
     const bool has_place = std::isfinite(mesh.position(v)[0]) && !mesh.corners(v).empty();
     if (has_place && angle_beyond(mesh, v) > least_angle) found.push_back(v);
   }
@@ -146,16 +145,14 @@ std::vector<BorderEdge> border_edges(const Mesh& mesh, const Partition& partitio
   // Faces at outliers say nothing about the size of a patch: they may have more area than all others.
   const Outliers outliers = find_outliers(mesh);
   std::vector<double> area(partition.second_layer_count, 0.0);
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    if (f % elements_per_checkpoint == 0) checkpoint();
+  for (const Index f : checked(mesh.face_count())) {
     const bool far =
         std::ranges::any_of(mesh.face_vertices(f), [&](Index v) { return outliers.is_outlier(v); });
     if (!far) area[partition.second_layer[f]] += mesh.face_area(f);
   }
   const NearSaddles saddles(mesh, wanted_length(mesh));
   std::vector<BorderEdge> result;
-  for (Index e = 0; e < mesh.edge_count(); ++e) {
-    if (e % elements_per_checkpoint == 0) checkpoint();
+  for (const Index e : checked(mesh.edge_count())) {
     const Index first = mesh.edge_halfedge(e);
     double least = area[partition.second_layer[Mesh::face_of(first)]];
     bool border = false;

@@ -84,6 +84,7 @@ namespace {
 
 /// On the test meshes no node is relaxed more than a few dozen times.
 constexpr Index max_relaxed = 1000;
+constexpr Index nodes_between_checkpoints = 256;
 
 }  // namespace
 
@@ -164,10 +165,9 @@ double BoundaryDijkstra::corrected(Index node) const {
 }
 
 void BoundaryDijkstra::run(std::span<const std::uint8_t> patch_allowed, double max_distance) {
-  constexpr int nodes_per_checkpoint = 256;
   int taken = 0;
   for (Index node = queue_.pop(); node != no_index; node = queue_.pop()) {
-    if (++taken % nodes_per_checkpoint == 0) checkpoint();
+    if (++taken % nodes_between_checkpoints == 0) checkpoint();
     const NodeState state = state_[node];
     double& distance = distance_[node];
     if (distance > max_distance) continue;
@@ -206,7 +206,6 @@ constexpr float least_gain = 1.0f - 1e-4f;
 /// Rounds in which nodes are settled again; a few suffice unless tables contradict each other, and then a
 /// full search decides.
 constexpr int max_rounds = 64;
-constexpr Index nodes_between_checkpoints = 256;
 /// Sums are in single precision: those that ought to be equal may differ by this part of them.
 constexpr double rounding = 4.0 * std::numeric_limits<float>::epsilon();
 

@@ -27,8 +27,7 @@ InnerSurface::InnerSurface(const Mesh& user, const Partition& partition) {
   SideLengths sides;
   positions.reserve(vertex.size());
   corners.reserve(face.size());
-  for (std::size_t f = 0; f < face.size(); ++f) {
-    if (f % elements_per_checkpoint == 0) checkpoint();
+  for (const std::size_t f : checked(face.size())) {
     corners.push_back(user.face_vertices(user_face[f]));
     for (Index& v : corners.back()) {
       if (vertex[v] == no_index) {
@@ -47,8 +46,7 @@ InnerSurface::InnerSurface(const Mesh& user, const Partition& partition) {
   mesh = mesh_in_metric_of(user, std::move(positions), std::move(corners), std::move(sides));
 
   const std::vector<Index> pieces = pieces_of_edges(user, partition);
-  for (Index edge = 0; edge < mesh->edge_count(); ++edge) {
-    if (edge % elements_per_checkpoint == 0) checkpoint();
+  for (const Index edge : checked(mesh->edge_count())) {
     const Index h = mesh->edge_halfedge(edge);
     const Index count = pieces[user.edge_of(3 * user_face[Mesh::face_of(h)] + h % 3)];
     for (Index k = 1; k < count; ++k) {

@@ -33,8 +33,7 @@ Lists<Index> patches_of_places(const InnerSurface& surface, std::span<const Inde
   Lists<Index> result;
   result.begin.reserve(surface.place_count() + 1);
   std::vector<Index> own;
-  for (Index place = 0; place < surface.place_count(); ++place) {
-    if (place % elements_per_checkpoint == 0) checkpoint();
+  for (const Index place : checked(surface.place_count())) {
     if (surface.is_vertex(place)) {
       own.clear();
       for (Index corner : mesh.corners(place)) own.push_back(label[Mesh::face_of(corner)]);
@@ -161,8 +160,7 @@ PatchLayer lay_out_patches(const InnerSurface& surface, std::span<const Index> l
   layer.place_node.assign(surface.place_count(), no_index);
   std::vector<std::vector<Index>> border(patch_count);
   std::vector<std::vector<Index>> inner(patch_count);
-  for (Index v = 0; v < surface.place_count(); ++v) {
-    if (v % elements_per_checkpoint == 0) checkpoint();
+  for (const Index v : checked(surface.place_count())) {
     const auto patches = around[v];
     if (patches.size() >= 2) {
       layer.node_place.push_back(v);

@@ -94,8 +94,7 @@ class GeodesicTriangles final : public GeodesicMethod {
 
   std::vector<double> solve(std::span<const Index> sources, const Progress&) override {
     std::vector<double> distances(mesh().vertex_count(), unreachable);
-    for (Index v = 0; v < mesh().vertex_count(); ++v) {
-      if (v % elements_per_checkpoint == 0) checkpoint();
+    for (const Index v : checked(mesh().vertex_count())) {
       for (const Index source : sources) distances[v] = std::min(distances[v], solve_pair(source, v));
     }
     return distances;

@@ -23,7 +23,6 @@ constexpr double bucket_width = 0.5;
 /// gain than this (relative) is ignored, and a vertex is relaxed at most `max_relaxed` times.
 constexpr double least_gain = 1.0 - 1e-9;
 constexpr std::uint8_t max_relaxed = 64;
-constexpr int vertices_per_checkpoint = 4096;
 
 }  // namespace
 
@@ -81,7 +80,7 @@ void Front::grow(std::span<const Index> sources, std::span<const std::uint8_t> f
   for (std::size_t i = 0; i < sources.size(); ++i) relax(sources[i], 0.0, static_cast<Index>(i));
   int taken = 0;
   for (Index v = queue_.pop(); v != no_index; v = queue_.pop()) {
-    if (++taken % vertices_per_checkpoint == 0) checkpoint();
+    if (++taken % elements_per_checkpoint == 0) checkpoint();
     for (Index corner : mesh_.corners(v)) {
       if (!face_allowed.empty() && !face_allowed[Mesh::face_of(corner)]) continue;
       pass(v, corner);
