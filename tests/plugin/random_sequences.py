@@ -85,13 +85,17 @@ class FindingError(Exception):
     """What a sequence found wrong: kind and numbers."""
 
 
+#: PyMeshLab 2022.2 has it by another name.
+PERCENT = getattr(pymeshlab, "PercentageValue", None) or pymeshlab.Percentage
+
+
 def layer_state(mesh: pymeshlab.Mesh) -> dict[str, np.ndarray]:
     """Everything of a layer that a filter could have changed, by what the host calls it."""
     found = {
         "vertices": mesh.vertex_matrix(),
         "faces": mesh.face_matrix(),
         "edges": mesh.edge_matrix(),
-        "matrix": mesh.transform_matrix(),
+        "vertices in place": mesh.transformed_vertex_matrix(),
         "vertex selection": mesh.vertex_selection_array(),
         "face selection": mesh.face_selection_array(),
         "vertex colours": mesh.vertex_color_matrix(),
@@ -235,11 +239,7 @@ class Sequence:
             value = self.number(usual)
             if name not in LENGTHS:
                 return value
-            return (
-                support.length(value)
-                if self.random.integers(2)
-                else pymeshlab.PercentageValue(self.random.uniform(0, 100))
-            )
+            return support.length(value) if self.random.integers(2) else PERCENT(self.random.uniform(0, 100))
         if name in VERTEX_NUMBERS:
             return self.vertex()
         if name in LAYER_NUMBERS:
