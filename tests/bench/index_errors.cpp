@@ -21,9 +21,7 @@ namespace {
 constexpr int targets_per_source = 200;
 constexpr double needle_angle = std::numbers::pi / 180.0;
 constexpr int patch_sizes[] = {90, 180, 350, 700};
-/// Selects the form of a graph and prunes nothing.
-constexpr double lossless = 1e-300;
-constexpr double deltas[] = {lossless, 0.001, 0.01, 0.05};
+constexpr double deltas[] = {vorogeo::test::lossless_delta, 0.001, 0.01, 0.05};
 constexpr int patches_per_parent = 8;
 
 /// A PLY file, or a part that the tests make.
@@ -178,7 +176,7 @@ void measure_trade_off(Arguments arguments) {
     const Measured found = measured(mesh, exact, options);
     print_figures("form", to_string(found.index->statistics().form),
                   {{"patch_size", patch_size},
-                   {"delta", delta == lossless ? 0.0 : delta},
+                   {"delta", delta == vorogeo::test::lossless_delta ? 0.0 : delta},
                    {"build", found.build / mesh->vertex_count()},
                    {"bytes", found.bytes_per_vertex},
                    {"field", found.field},

@@ -243,6 +243,8 @@ TEST(MemoryBudget, ChoosesTheForm) {
 TEST(MemoryBudget, OneThatIsTooSmallIsToldTheLeast) {
   Case c;
   const std::string whole = c.refusal(1);
+  EXPECT_TRUE(whole.starts_with("The memory budget is 1 MiB, but the index of this mesh takes more than "))
+      << whole;
   EXPECT_TRUE(
       whole.ends_with(" MiB in its smallest form: give a larger memory budget, or a delta above 0, which "
                       "makes the graph smaller."))
