@@ -9,6 +9,7 @@
 
 #include "mesh/mesh.h"
 #include "mesh/outliers.h"
+#include "mesh/vectors.h"
 #include "support/parallel.h"
 #include "support/progress.h"
 
@@ -43,14 +44,13 @@ FaceFrame frame_of(const ExactGeometry& geometry, Index halfedge) {
   const Point& q = corners[frame.along ? (tail + 1) % 3 : tail];
   const Point& r = corners[(tail + 2) % 3];
   const bool nearer_first = mesh.edge_length(first_edge) <= mesh.edge_length(second_edge);
-  const Point& from = nearer_first ? p : q;
-  Point along{};
-  Point side{};
-  for (int k = 0; k < 3; ++k) {
-    along[k] = (q[k] - p[k]) / length;
-    side[k] = r[k] - from[k];
-  }
-  const double x = side[0] * along[0] + side[1] * along[1] + side[2] * along[2];
+  const Point side = minus(r, nearer_first ? p : q);
+  // Of unit length to the last digit, which the edge's own length does not give where the sides of a face
+  // without width contradict each other: a long side beside a short one would be carried off its end.
+  Point along = minus(q, p);
+  const double laid_length = length_of(along);
+  for (double& part : along) part /= laid_length > 0.0 ? laid_length : length;
+  const double x = dot(side, along);
   frame.apex_x = nearer_first ? x : length + x;
   frame.apex_depth =
       std::hypot(side[1] * along[2] - side[2] * along[1], side[2] * along[0] - side[0] * along[2],

@@ -5,10 +5,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "exact/envelope.h"
+#include "exact/exact_geometry.h"
 #include "exact/exact_solver.h"
 #include "exact/path_tracing.h"
 #include "support/indexes.h"
@@ -50,6 +53,28 @@ TEST(Window, AVertexOvertakesNothingOfWhatSeesTheSourceThatItSees) {
 }
 
 // Windows across faces of every shape: in a plane all distances are straight lines.
+
+TEST(ExactGeometry, NeedlesWhoseRoundedSidesContradictEachOtherKeepTheLengthOfTheirSides) {
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  for (int trial = 0; trial < 1000; ++trial) {
+    const double shortest = std::pow(10.0, std::uniform_real_distribution(-9.0, -2.0)(random));
+    const double middle = std::uniform_real_distribution(0.5, 1.0)(random);
+    // As long as both together, but for the last digit.
+    const double longest = std::nextafter(shortest + middle, trial % 2 == 0 ? 0.0 : 2.0);
+    const SideLengths sides{{shortest, middle, longest}};
+    const auto mesh = std::make_shared<const Mesh>(std::vector<Point>(3, no_position),
+                                                   std::vector<std::array<Index, 3>>{{0, 1, 2}}, sides);
+    const ExactGeometry geometry(mesh);
+    for (Index h = 0; h < 3; ++h) {
+      const FaceFrame& frame = geometry.frame[h];
+      ASSERT_NEAR(std::hypot(frame.apex_x, frame.apex_depth),
+                  mesh->edge_length(mesh->edge_of(frame.first_side(h))), 4e-16)
+          << shortest << " " << middle << ", half-edge " << h;
+    }
+  }
+}
 
 TEST(Propagation, AcrossNeedlesOfAnyThinnessInAPlane) {
   for (const double width : {1.0, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15}) {
