@@ -274,6 +274,9 @@ struct Candidates {
   std::span<const SiteDistance> at(Index vertex) const {
     return std::span(entries).subspan(begin[vertex], begin[vertex + 1] - begin[vertex]);
   }
+  /// By vertex, in the field of all sites at once.
+  std::vector<double> distance;
+  std::vector<Index> nearest;
 };
 
 /// Longest side of the faces at each vertex, as long as in the face: within a dear one, it is what points are
@@ -292,7 +295,14 @@ std::vector<double> reach_of_vertices(const Mesh& mesh) {
 Candidates find_candidates(Workers& workers, const PointList& sites, const std::vector<Index>& owners,
                            double& radius, const Progress& progress) {
   const Mesh& mesh = workers.mesh();
-  const auto nearest = workers.field_on_all_threads(sites);
+  std::vector<SurfacePoint> different;
+  for (Index site : owners) different.push_back(sites[site]);
+  Candidates result;
+  result.distance = workers.field_on_all_threads(PointList(different), unreachable, &result.nearest);
+  for (Index& site : result.nearest) {
+    if (site != no_index) site = owners[site];
+  }
+  const auto& nearest = result.distance;
   const auto reach = reach_of_vertices(mesh);
   std::vector<double> bound(mesh.vertex_count(), -1.0);
   radius = 0.0;
@@ -309,7 +319,6 @@ Candidates find_candidates(Workers& workers, const PointList& sites, const std::
       if (field[v] <= bound[v]) of_site[i].push_back({v, site, field[v]});
     }
   });
-  Candidates result;
   result.begin.assign(static_cast<std::size_t>(mesh.vertex_count()) + 1, 0);
   for (const auto& list : of_site) {
     for (const SiteDistance& entry : list) ++result.begin[entry.vertex + 1];
@@ -355,9 +364,14 @@ std::array<double, 3> centre_weights(const Mesh& mesh, Index face) {
   return centre->face == face ? centre->barycentric : own;
 }
 
-/// The site of least distance at each vertex; of equal ones, the first.
+/// The site of least distance at each vertex; of equal ones, the first. Where an index errs so much that no
+/// site's own field is near the field of all, the site of that.
 void label_vertices(const Candidates& candidates, VoronoiRegions& regions) {
   for (Index v = 0; v < static_cast<Index>(regions.vertex_region.size()); ++v) {
+    if (candidates.at(v).empty() && candidates.distance[v] < unreachable) {
+      regions.distance[v] = candidates.distance[v];
+      regions.vertex_region[v] = candidates.nearest[v];
+    }
     for (const SiteDistance& entry : candidates.at(v)) {
       if (entry.distance >= regions.distance[v]) continue;
       regions.distance[v] = entry.distance;

@@ -18,6 +18,7 @@
 #include "support/hostile_meshes.h"
 #include "support/indexes.h"
 #include "support/shapes.h"
+#include "tasks/voronoi_regions.h"
 
 namespace vorogeo {
 namespace {
@@ -162,6 +163,22 @@ TEST(IndexContract, FieldsOfAnIndexErrByAPercentAtMostOnSeedsThatErredByAThird) 
             << seed << ", source " << source << ", vertex " << v;
       }
     }
+  }
+}
+
+/// Here fields of an index err by up to 20 %, each by another part, so that at 515 vertices no site is as
+/// near by its own field as by that of all sites.
+TEST(IndexContract, RegionsHoldEveryVertexThatASiteReaches) {
+  const auto mesh = test::make_mesh(test::hostile_mesh(4200003631U, 60).soup);
+  IndexOptions options;
+  options.delta = 0.0;
+  Surface surface(GeodesicIndex::build(mesh, options), 1);
+  const std::array<Index, 2> sites{1118, 2016};
+  const VoronoiRegions regions = voronoi_regions(surface, PointList(sites), {.by = Answer::index});
+  const std::vector<double> exact = exact_distance_field(mesh, sites);
+  for (Index v = 0; v < mesh->vertex_count(); ++v) {
+    ASSERT_EQ(regions.distance[v] < unreachable, exact[v] < unreachable) << "vertex " << v;
+    ASSERT_EQ(regions.vertex_region[v] != no_index, exact[v] < unreachable) << "vertex " << v;
   }
 }
 
