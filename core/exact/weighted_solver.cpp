@@ -23,13 +23,17 @@ constexpr double gain_to_settle = 1e-9;
 /// How often a point is settled; in practice none is so often.
 constexpr std::uint8_t most_times = 100;
 
+/// In heights of a face of a thin fan: as far along its sides it is crossed at once. Beyond, a way along a
+/// side and then straight across is longer by less than a thousandth.
+constexpr double farthest_in_thin = 1e3;
+
 /// Of a piece: what the waves of two points may differ by between them.
 constexpr double spare = 0.1;
 
 }  // namespace
 
 WeightedSolver::WeightedSolver(std::shared_ptr<const FaceNorms> norms)
-    : norms_(std::move(norms)), state_(norms_->point_count()) {}
+    : norms_(std::move(norms)), state_(norms_->point_count()), queue_(state_.size()) {}
 
 void WeightedSolver::reset(std::span<const ExactSource> sources, const ExactLimits& limits) {
   std::vector<ExactSource> checked = validated(mesh(), sources);
@@ -79,11 +83,9 @@ void WeightedSolver::reach(Index point, const Arrival& arrival) {
   state.face = arrival.face;
   state.bends = arrival.bends;
   state.source = arrival.source;
-  state.waits = true;
   // Not with the bound of the rest of a path added (A*): bounds jump from patch to patch, and points behind a
   // jump would be settled too early.
-  queue_.push_back({arrival.distance, point});
-  std::push_heap(queue_.begin(), queue_.end());
+  queue_.push(point, arrival.distance);
 }
 
 void WeightedSolver::start_at(Index number) {
@@ -141,14 +143,12 @@ void WeightedSolver::run(std::span<const ExactSource> sources, const ExactLimits
       mesh().has_drifts() ? &WeightedSolver::settle<true> : &WeightedSolver::settle<false>;
   // This loop ends: each point is settled so often at most, and waits only with distances that decrease.
   while (!queue_.empty()) {
-    const auto [distance, point] = queue_.front();
+    const auto [distance, point] = queue_.first();
     if (!limits.targets.empty() && is_final(limits, distance - norms_->longest_piece())) {
       settled_distance_ = distance - norms_->longest_piece();
       break;
     }
-    std::pop_heap(queue_.begin(), queue_.end());
-    queue_.pop_back();
-    if (!state_[point].waits || distance > state_[point].distance) continue;
+    queue_.pop();
     rest_ = least_rest(point);
     if (is_beyond_limit(point)) continue;
     if (++settled % points_per_report == 0) {
@@ -168,7 +168,6 @@ bool WeightedSolver::may_enter(Index face, double distance) {
 template <bool one_way>
 void WeightedSolver::settle(Index point) {
   PointState& state = state_[point];
-  state.waits = false;
   ++state.settled;
   if (norms_->is_vertex(point)) {
     settle_vertex<one_way>(point);
@@ -325,8 +324,19 @@ void WeightedSolver::cross_thin(Index halfedge, Index from) {
     const double other_shift = norms_->shift(side);
     // Towards larger x, along the other side.
     const double other_gain = (frame.apex_x > begin) == from_apex ? -other_shift : other_shift;
-    for (Index k = 0; k <= last; ++k) {
-      const double t = norms_->fraction(other, from_apex ? last - k : k);
+    // Straight across, and as far along as what the way saves by being straight is more than rounding.
+    // Further points are reached along the sides.
+    auto fraction_beside = [&](double x) {
+      const double t = frame.apex_x != begin ? (x - begin) / (frame.apex_x - begin) : 0.0;
+      return std::clamp(from_apex ? 1.0 - t : t, 0.0, 1.0);
+    };
+    const double reach_along = farthest_in_thin * frame.apex_y;
+    const auto [nearest, farthest] =
+        std::minmax({norms_->point_before(other, fraction_beside(at - reach_along)),
+                     norms_->point_before(other, fraction_beside(at + reach_along))});
+    for (Index k = nearest; k <= std::min(farthest + 1, last); ++k) {
+      const double along = norms_->fraction(other, k);
+      const double t = from_apex ? 1.0 - along : along;
       const double x = std::lerp(begin, frame.apex_x, t);
       const double y = frame.apex_y * t;
       const double sign = std::copysign(1.0, x - at);

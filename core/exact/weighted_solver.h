@@ -9,6 +9,7 @@
 #include "exact/crossing_path.h"
 #include "exact/exact_solver.h"
 #include "exact/refraction.h"
+#include "support/distance_queue.h"
 
 namespace vorogeo {
 
@@ -78,7 +79,6 @@ class WeightedSolver {
     Index face = no_index;
     Index source = no_index;
     bool bends = false;
-    bool waits = false;        ///< to be settled
     std::uint8_t settled = 0;  ///< times
   };
   /// Where the last piece of a path to a point of a face comes from.
@@ -140,14 +140,7 @@ class WeightedSolver {
   std::vector<Index> touched_;
   std::vector<ExactSource> sources_;
   std::vector<Index> face_sources_;  ///< numbers of those that are no vertices
-  struct Waiting {
-    double distance;
-    Index point;
-    bool operator<(const Waiting& other) const {  // the nearest is on top of a heap
-      return distance != other.distance ? distance > other.distance : point > other.point;
-    }
-  };
-  std::vector<Waiting> queue_;  ///< a heap; all entries of a point but the nearest are passed over
+  DistanceQueue queue_;              ///< of points to be settled
 
   // Limits of the last run.
   double max_distance_ = unreachable;

@@ -367,6 +367,27 @@ TEST(WeightedThin, ANeedleCostsItsLengthWhicheverSideItsFaceBeginsWith) {
   }
 }
 
+TEST(WeightedThin, ADearFaceWithoutWidthIsNoDetourInWhicheverOrderItsVerticesAreNumbered) {
+  // It lies on the line y = 0 and has a vertex at 0.1, near one end of its long side; near the other end,
+  // where a face is small, are most of the points.
+  std::vector<Index> order{0, 1, 2, 3, 4};
+  do {
+    const std::array<Point, 5> places{{{0, 0, 0}, {1, 0, 0}, {0.1, 0, 0}, {0.99, 0.02, 0}, {0.5, -1, 0}}};
+    std::vector<Point> positions(5);
+    for (int v = 0; v < 5; ++v) positions[order[v]] = places[v];
+    std::vector<std::array<Index, 3>> faces{{0, 1, 3}, {0, 2, 1}, {0, 4, 2}, {2, 4, 1}};
+    for (auto& face : faces) {
+      for (Index& v : face) v = order[v];
+    }
+    WeightedSolver solver = test::solver_of(test::with_costs({positions, faces}, {1, 20, 1, 1}));
+    solver.run_from_vertices(std::array{order[2]});
+    for (const int v : {0, 1, 3, 4}) {
+      const double straight = distance_between(places[2], places[v]);
+      EXPECT_NEAR(solver.distance(order[v]), straight, 1e-3 * straight) << testing::PrintToString(order);
+    }
+  } while (std::ranges::next_permutation(order).found);
+}
+
 TEST(WeightedThin, PointsAreInTheMeanAsManyAsAnEdgeIsToHoldWhereverThereIsATinyFace) {
   for (const double tiny : {1e-3, 1e-9, 1e-15}) {
     const std::vector<Point> positions{{0, 0, 0},     {1, 0, 0},     {0, 1, 0},
