@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "exact/edge_density.h"
 #include "mesh/mesh.h"
 #include "mesh/vectors.h"
 #include "support/error.h"
@@ -32,71 +33,13 @@ constexpr double very_different_cost = 10.0;
 /// Faces of a seam or at a T-junction, behind which waves should stay smooth.
 constexpr std::size_t small_fan = 8;
 
+/// The integral of the density of points along an edge, in the mean over scans.
+constexpr double usual_weight = 1.5;
 /// No edge has fewer points than this part of the usual ones, nor all in the mean more than so many times
 /// these.
 constexpr Index per_fewest = 2;
 constexpr double most_in_mean = 8.0;
 constexpr double most_points_of_all = 2e9;
-
-/// How densely an edge should have points: as the root of the size of what is near. Sizes are known at a few
-/// places, its knots, and grow by the distance from these.
-class Density {
- public:
-  struct Knot {
-    double at;
-    double size;
-  };
-
-  /// At least the two ends of the edge.
-  void set(std::span<const Knot> knots) {
-    knots_.assign(knots.begin(), knots.end());
-    std::ranges::stable_sort(knots_, {}, &Knot::at);
-    for (std::size_t i = 1; i < knots_.size(); ++i) limit(knots_[i], knots_[i - 1]);
-    for (std::size_t i = knots_.size() - 1; i-- > 0;) limit(knots_[i], knots_[i + 1]);
-    until_.assign(1, 0.0);
-    for (std::size_t i = 1; i < knots_.size(); ++i) {
-      const auto& [first, second] = std::tie(knots_[i - 1], knots_[i]);
-      // Half-way, sizes as of either knot are the same.
-      const double between = second.at - first.at;
-      const double until = std::clamp(0.5 * (between + second.size - first.size), 0.0, between);
-      until_.push_back(until_.back() + integral(first, until));
-      until_.push_back(until_.back() + integral(second, between - until));
-    }
-  }
-  double total() const { return until_.back(); }
-  /// Up to where a share of the total lies.
-  double place(double share) const {
-    const double sum = share * total();
-    std::size_t i = 1;
-    while (i + 1 < knots_.size() && sum > until_[2 * i]) ++i;
-    return sum <= until_[2 * i - 1] ? knots_[i - 1].at + reach(knots_[i - 1], sum - until_[2 * i - 2])
-                                    : knots_[i].at - reach(knots_[i], until_[2 * i] - sum);
-  }
-
- private:
-  static void limit(Knot& knot, const Knot& beside) {
-    knot.size = std::min(knot.size, beside.size + std::abs(knot.at - beside.at));
-  }
-  static double integral(const Knot& from, double way) {
-    return std::sqrt(from.size + way) - std::sqrt(from.size);
-  }
-  static double reach(const Knot& from, double sum) { return sum * (sum + 2.0 * std::sqrt(from.size)); }
-
-  std::vector<Knot> knots_;
-  std::vector<double> until_;  ///< up to each knot, and between them
-};
-
-/// The distance of the apex of a face from a side, and where it is next to it: in the side's least cost.
-struct ApexOfSide {
-  double at;
-  double away;
-};
-
-ApexOfSide apex_of(const EdgeFrame& frame, double cost) {
-  const double at = std::clamp(frame.apex_x, 0.0, frame.length);
-  const double scale = frame.length > 0.0 ? cost / frame.length : 1.0;
-  return {scale * at, scale * std::hypot(frame.apex_x - at, frame.apex_y)};
-}
 
 }  // namespace
 
@@ -122,58 +65,40 @@ FaceNorms::FaceNorms(std::shared_ptr<const Mesh> mesh, Index points_per_edge) : 
   place_points(points_per_edge);
 }
 
-/// Waves have details of the size of what they came past, so points are dense near small faces, and near an
-/// apex that is close to the side opposite. Each component has the points that it would have alone.
+/// Points are dense near small features.
 void FaceNorms::place_points(Index per_edge) {
   const Index edges = mesh_->edge_count();
-  // At a vertex, the distance to the nearest side that is opposite.
-  std::vector<double> size_at(mesh_->vertex_count(), std::numeric_limits<double>::infinity());
-  for (const Index h : checked(3 * mesh_->face_count())) {
-    const double away = apex_of(frame(h), edge_cost(mesh_->edge_of(h))).away;
-    if (away > 0.0) size_at[mesh_->apex(h)] = std::min(size_at[mesh_->apex(h)], away);
-  }
-  Density density;
-  std::vector<Density::Knot> knots;
+  const FeatureSizes features(*this);
+  EdgeDensity density;
+  std::vector<EdgeDensity::Knot> knots;
   auto set_density = [&](Index e) {
-    const double cost = edge_cost(e);
-    const auto [a, b] = mesh_->edge_vertices(e);
-    knots.assign({{0.0, std::min(size_at[a], cost)}, {cost, std::min(size_at[b], cost)}});
-    const Index first = mesh_->edge_halfedge(e);
-    Index h = first;
-    do {
-      const auto [at, away] = apex_of(frame(h), cost);
-      knots.push_back({at, away + std::min(size_at[mesh_->apex(h)], cost)});
-      h = mesh_->next_around_edge(h);
-    } while (h != first);
+    features.find_knots(e, knots);
     density.set(knots);
   };
   std::vector<double> weight(edges, 0.0);
-  std::vector<std::vector<double>> weights(mesh_->component_count());
+  // Each component has the points that it would have alone.
+  std::vector<double> sum(mesh_->component_count(), 0.0);
+  std::vector<Index> count(sum.size(), 0);
   auto component_of = [&](Index e) { return mesh_->component(mesh_->edge_vertices(e)[0]); };
   for (const Index e : checked(edges)) {
     if (!(edge_cost(e) > 0.0)) continue;
     set_density(e);
     weight[e] = density.total();
-    weights[component_of(e)].push_back(weight[e]);
+    sum[component_of(e)] += weight[e];
+    ++count[component_of(e)];
   }
-  std::vector<double> scale(weights.size(), 0.0);
-  for (std::size_t c = 0; c < weights.size(); ++c) {
-    if (weights[c].empty()) continue;
-    const auto median = weights[c].begin() + static_cast<std::ptrdiff_t>(weights[c].size() / 2);
-    std::ranges::nth_element(weights[c], median);
-    const double sum = std::accumulate(weights[c].begin(), weights[c].end(), 0.0);
-    scale[c] =
-        per_edge * std::min(1.0 / *median, most_in_mean * static_cast<double>(weights[c].size()) / sum);
-  }
+  auto scale_of = [&](Index component) {
+    return per_edge * std::min(1.0 / usual_weight, most_in_mean * count[component] / sum[component]);
+  };
   const double fewest = std::max<Index>(1, per_edge / per_fewest);
   first_point_.reserve(edges + 1);
   first_point_.push_back(mesh_->vertex_count());
   for (const Index e : checked(edges)) {
-    const double count = std::max(std::round(weight[e] * scale[component_of(e)]), fewest);
-    if (first_point_.back() + count > most_points_of_all) {
+    const double wanted = std::max(std::round(weight[e] * scale_of(component_of(e))), fewest);
+    if (first_point_.back() + wanted > most_points_of_all) {
       throw InvalidInput("There are too many points on edges: give fewer for each edge, or a smaller mesh.");
     }
-    const auto points = static_cast<Index>(count);
+    const auto points = static_cast<Index>(wanted);
     first_point_.push_back(first_point_.back() + points);
     edge_of_point_.insert(edge_of_point_.end(), static_cast<std::size_t>(points), e);
     const double cost = edge_cost(e);

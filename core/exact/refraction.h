@@ -44,8 +44,8 @@ class FaceNorms {
   using Place = std::array<double, 2>;
   static double apart(const Place& a, const Place& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
 
-  /// `points_per_edge`: on the median edge. \throw InvalidInput for lengths outside `exact_lengths`, or too
-  /// many points.
+  /// `points_per_edge`: on the usual edge of a scan. \throw InvalidInput for lengths outside `exact_lengths`,
+  /// or too many points.
   FaceNorms(std::shared_ptr<const Mesh> mesh, Index points_per_edge);
 
   const Mesh& mesh() const { return *mesh_; }

@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <random>
+#include <string>
+#include <utility>
 
 #include "contract/surfaces.h"
 #include "support/layers.h"
@@ -104,6 +106,53 @@ TEST(MetricsContract, PathsRefractBetweenTwoCostsBySnellsLaw) {
   }
 }
 
+TEST(MetricsContract, AcrossLongStripsOfDifferentCostsTheStraightLineCostsTheirSum) {
+  const unsigned seed = fresh_seed();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> between(1.0, 4.0);
+  // Only the first and the last side have a vertex half-way: between them, none is near the line.
+  for (const auto& [height, greatest_error] : {std::pair{3.0, 0.02}, {30.0, 0.1}, {300.0, 0.3}}) {
+    constexpr Index strips = 12;
+    test::Soup soup;
+    for (Index i = 0; i <= strips; ++i) {
+      for (const double y : {0.0, height}) soup.positions.push_back({static_cast<double>(i), y, 0.0});
+    }
+    const Index source = 2 * strips + 2;
+    const Index target = source + 1;
+    soup.positions.push_back({0.0, 0.5 * height, 0.0});
+    soup.positions.push_back({static_cast<double>(strips), 0.5 * height, 0.0});
+    FaceCost metric;
+    double sum = 0.0;
+    auto add = [&](const std::array<Index, 3>& face, double cost) {
+      soup.faces.push_back(face);
+      metric.cost.push_back(cost);
+    };
+    for (Index i = 0; i < strips; ++i) {
+      const Index below = 2 * i;
+      const double cost = between(random);
+      sum += cost;
+      if (i == 0) {
+        add({below, below + 2, source}, cost);
+        add({source, below + 2, below + 3}, cost);
+        add({source, below + 3, below + 1}, cost);
+      } else if (i == strips - 1) {
+        add({below, below + 2, target}, cost);
+        add({below, target, below + 1}, cost);
+        add({below + 1, target, below + 3}, cost);
+      } else {
+        add({below, below + 2, below + 3}, cost);
+        add({below, below + 3, below + 1}, cost);
+      }
+    }
+    const Ask ask({soup, metric});
+    const double distance = ask.field({{vertex(source)}}, By::exact).distance[target];
+    EXPECT_GE(distance, (1.0 - 1e-2) * sum) << height;
+    EXPECT_LE(distance, (1.0 + greatest_error) * sum) << height;
+    EXPECT_NEAR(ask.path(vertex(source), vertex(target), By::exact).length(), sum, 1e-2 * sum) << height;
+  }
+}
+
 TEST(MetricsContract, WhatIsTooDearIsAHole) {
   const KnownSurface hole = plane_with_hole();
   const test::Soup whole = test::plane_grid(12, 9, 4.0, 3.0).soup;
@@ -132,7 +181,6 @@ TEST(MetricsContract, DistancesLieBetweenTheLeastAndTheGreatestCostTimesTheLengt
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> between(1.0, 2.0);
   for (const KnownSurface& surface : known_surfaces()) {
-    if (surface.has_needles) continue;
     FaceCost metric;
     for (std::size_t f = 0; f < surface.soup.faces.size(); ++f) metric.cost.push_back(between(random));
     const Ask ask({surface.soup, metric});

@@ -1,0 +1,73 @@
+// How densely the edges of a metric that jumps should have points.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "exact/refraction.h"
+#include "support/types.h"
+
+namespace vorogeo {
+
+/// Waves have details of the size of what they came past, and past many narrow faces side by side these are
+/// no larger: how small features near each place of an edge are. Lengths along an edge are in its cost.
+///
+/// A feature is a vertex, as large as the distance from there to the nearest side opposite. Seen from
+/// elsewhere it is larger by the way there: over faces, straight to the nearest point of each next side. A
+/// side keeps it while that makes some difference there, so it goes far only over needles.
+class FeatureSizes {
+ public:
+  struct Knot {
+    double at;
+    double size;
+  };
+
+  explicit FeatureSizes(const FaceNorms& norms);
+
+  /// Places of an edge at which features are known, its ends first; elsewhere they are larger than at a knot
+  /// by the way from there.
+  void find_knots(Index edge, std::vector<Knot>& knots) const;
+
+ private:
+  struct Spread {
+    Index halfedge;  ///< whose face is entered
+    Knot knot;
+  };
+  struct Link {
+    Knot knot;
+    Index next;
+  };
+
+  void cross(const Spread& from);
+  void offer(Index halfedge, const Knot& knot);
+  void spread(Index halfedge, const Knot& knot);
+
+  const FaceNorms& norms_;
+  std::vector<double> size_at_;  ///< by vertex
+  std::vector<Index> first_;     ///< by edge: the first link of what came over other faces
+  std::vector<Link> links_;
+  std::vector<Spread> waiting_;
+  std::vector<Knot> known_;
+};
+
+/// Points of an edge as dense as features there are small.
+class EdgeDensity {
+ public:
+  using Knot = FeatureSizes::Knot;
+
+  /// At least the two ends of the edge.
+  void set(std::span<const Knot> knots);
+  /// The integral of the density.
+  double total() const { return until_.back(); }
+  /// Up to where a share of the total lies.
+  double place(double share) const;
+
+ private:
+  static void limit(Knot& knot, const Knot& beside);
+
+  std::vector<Knot> knots_;
+  std::vector<double> until_;  ///< up to each knot, and between them
+};
+
+}  // namespace vorogeo
