@@ -63,7 +63,7 @@ struct FaceSplits {
   bool empty() const { return middle_of.empty(); }
 };
 
-/// Points on the median edge of a metric that jumps, from which faces are crossed (core/exact): errors fall
+/// Points on an edge of a scan in a metric that jumps, from which faces are crossed (core/exact): errors fall
 /// with the square of their number or faster.
 inline constexpr Index usual_edge_points = 6;
 

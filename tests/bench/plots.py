@@ -131,7 +131,7 @@ def choosing(meshes_totals: dict[str, dict[str, Any]]) -> None:
 
 
 def convergence(points: Sequence[int], lines: dict[str, Sequence[float]], file: Path) -> None:
-    """Mean errors against points on the median edge, a line for each mesh, and slopes to compare them with."""
+    """Mean errors against points on an edge, a line for each mesh, and slopes to compare them with."""
     figure, axes = plt.subplots(figsize=(6.4, 4.4), layout="constrained")
     for (name, errors), colour, marker in zip(lines.items(), COLOURS.values(), "os^vDPX", strict=False):
         axes.loglog(points, errors, color=colour, marker=marker, label=name)
@@ -143,7 +143,7 @@ def convergence(points: Sequence[int], lines: dict[str, Sequence[float]], file: 
         axes.annotate(f"power {power}", end, (-8, 8), textcoords="offset points", ha="right", fontsize=8, color="#777")
     axes.set_xticks(points, map(str, points))
     axes.set_xticks([], minor=True)
-    axes.set(xlabel="points on the median edge", ylabel="mean relative error (%)")
+    axes.set(xlabel="points on an edge", ylabel="mean relative error (%)")
     axes.grid(alpha=0.3)
     axes.legend(fontsize=8, frameon=False)
     save(figure, file)
