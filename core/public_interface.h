@@ -68,7 +68,6 @@ inline namespace v0 {
 
 struct Surface::State {
   std::shared_ptr<const Mesh> mesh;
-  std::size_t face_count = 0;  ///< of the faces given
   inner::IndexOptions options;
 
   std::mutex mutex;  ///< of the surface, held for moments

@@ -140,7 +140,6 @@ Surface::Surface(std::vector<Point> positions, std::vector<std::array<int, 3>> f
                  const SurfaceOptions& options)
     : state_(std::make_shared<State>()) {
   translated([&] {
-    state_->face_count = faces.size();
     state_->mesh = mesh_of(std::move(positions), std::move(faces), options);
     state_->options.threads = options.threads;
     state_->surface = std::make_shared<inner::Surface>(state_->mesh, state_->options);
@@ -148,7 +147,7 @@ Surface::Surface(std::vector<Point> positions, std::vector<std::array<int, 3>> f
 }
 
 int Surface::vertex_count() const { return state_->mesh->given_vertex_count(); }
-int Surface::face_count() const { return static_cast<int>(state_->face_count); }
+int Surface::face_count() const { return state_->mesh->given_face_count(); }
 
 std::vector<double> Surface::distances_from(const PointList& sources) const {
   return field(sources).distance;
@@ -506,7 +505,7 @@ VoronoiRegions voronoi(const Surface& surface, const PointList& sites, const Tas
   return ask(surface, options, [&](const Asked& at) {
     auto found = voronoi_regions(at.surface, at.in(sites), at.options);
     VoronoiRegions regions;
-    regions.face_region = InputMap(at.mesh).of_faces(found.face_region, surface.state().face_count, no_index);
+    regions.face_region = InputMap(at.mesh).of_faces(found.face_region, no_index);
     regions.vertex_region = InputMap(at.mesh).of_vertices(std::move(found.vertex_region));
     regions.distance = InputMap(at.mesh).of_vertices(std::move(found.distance));
     regions.area = std::move(found.area);
@@ -548,11 +547,8 @@ RelaxedPoints relax(const Surface& surface, const PointList& points, int rounds,
 }
 
 Disk disk(const Surface& surface, const PointList& sources, double radius, const TaskOptions& options) {
-  return ask(surface, options, [&](const Asked& at) {
-    Disk found = geodesic_disk(at.surface, at.in(sources), radius, at.options);
-    for (int& face : found.faces) face = at.mesh.input_face(face);
-    return found;
-  });
+  return ask(surface, options,
+             [&](const Asked& at) { return geodesic_disk(at.surface, at.in(sources), radius, at.options); });
 }
 
 Band band(const Surface& surface, const PointList& sources, double width, const TaskOptions& options) {
@@ -689,8 +685,7 @@ std::vector<Tangent> gradient(const Surface& surface, const PointList& sources,
   return ask(surface, TaskOptions{Answer::exact, options.progress}, [&](const Asked& at) {
     std::optional<inner::PointList> points;
     if (!options.points.empty()) points = at.in(options.points);
-    auto found = gradient(at.surface, at.in(sources), points, options.limit, at.options);
-    return points ? std::move(found) : InputMap(at.mesh).of_vertices(std::move(found));
+    return gradient(at.surface, at.in(sources), points, options.limit, at.options);
   });
 }
 
@@ -703,8 +698,7 @@ std::vector<Tangent> transport(const Surface& surface, const PointList& path,
 std::vector<Tangent> transport_from(const Surface& surface, const SurfacePoint& from, const Tangent& vector,
                                     const TransportOptions& options) {
   return ask(surface, TaskOptions{Answer::exact, options.progress}, [&](const Asked& at) {
-    return InputMap(at.mesh).of_vertices(
-        transport_from(at.surface, at.in(from), vector, options.limit, at.options));
+    return transport_from(at.surface, at.in(from), vector, options.limit, at.options);
   });
 }
 

@@ -12,20 +12,19 @@ std::vector<double> signed_distance(const Surface& surface,
                                     const std::vector<std::vector<SurfacePoint>>& curves,
                                     const SignedDistanceOptions& options) {
   return ask(surface, TaskOptions{Answer::exact, options.progress}, [&](const Asked& at) {
-    return InputMap(at.mesh).of_vertices(
-        signed_distance(at.surface, at.in(curves), options.limit, at.options));
+    return signed_distance(at.surface, at.in(curves), options.limit, at.options);
   });
 }
 
 std::vector<double> signed_distance(const Surface& surface, const std::vector<bool>& in_region,
                                     const SignedDistanceOptions& options) {
   return ask(surface, TaskOptions{Answer::exact, options.progress}, [&](const Asked& at) {
-    if (in_region.size() != surface.state().face_count) {
+    if (in_region.size() != static_cast<std::size_t>(surface.face_count())) {
       throw InvalidInput("The region has " + std::to_string(in_region.size()) + " values, but the mesh has " +
-                         std::to_string(surface.state().face_count) + " faces; give one value for each.");
+                         std::to_string(surface.face_count()) + " faces; give one value for each.");
     }
     const std::vector<std::uint8_t> flags(in_region.begin(), in_region.end());
-    return InputMap(at.mesh).of_vertices(signed_distance(at.surface, flags, options.limit, at.options));
+    return signed_distance(at.surface, flags, options.limit, at.options);
   });
 }
 
@@ -47,11 +46,8 @@ CutLocus cut_locus(const Surface& surface, const PointList& sources, const CutLo
 TextureCoordinates texture_coordinates(const Surface& surface, const SurfacePoint& point, double radius,
                                        const TextureOptions& options) {
   return ask(surface, TaskOptions{Answer::exact, options.progress}, [&](const Asked& at) {
-    auto found =
-        texture_coordinates(at.surface, at.in(point), {radius, options.rotation, options.scale}, at.options);
-    const InputMap map(at.mesh);
-    return TextureCoordinates{map.of_vertices(std::move(found.coordinates)),
-                              map.of_faces(found.stretch, surface.state().face_count, no_stretch)};
+    return texture_coordinates(at.surface, at.in(point), {radius, options.rotation, options.scale},
+                               at.options);
   });
 }
 

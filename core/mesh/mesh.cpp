@@ -50,6 +50,7 @@ void require_vertices(const std::vector<std::array<Index, 3>>& faces, Index vert
 
 Mesh::Mesh(std::vector<Point> positions, std::vector<std::array<Index, 3>> faces, const Metric& metric)
     : positions_(std::move(positions)),
+      given_face_count_(static_cast<Index>(faces.size())),
       middle_of_(metric.splits.middle_of),
       points_per_edge_(metric.points_per_edge),
       has_metric_(!metric.sides.empty()) {
@@ -79,10 +80,10 @@ Mesh::Mesh(std::vector<Point> positions, std::vector<std::array<Index, 3>> faces
            const Metric& metric)
     : positions_(std::move(positions)),
       face_vertices_(std::move(faces)),
+      given_face_count_(static_cast<Index>(face_vertices_.size())),
       same_as_(bridges.same_as),
       points_per_edge_(metric.points_per_edge),
       has_metric_(!metric.sides.empty()) {
-  const auto given = static_cast<Index>(face_vertices_.size());
   const auto count = static_cast<Index>(same_as_.size());
   for (auto& face : face_vertices_) {
     for (Index& v : face) {
@@ -92,10 +93,10 @@ Mesh::Mesh(std::vector<Point> positions, std::vector<std::array<Index, 3>> faces
   face_vertices_.insert(face_vertices_.end(), bridges.faces.begin(), bridges.faces.end());
   connect(metric.sides, metric.drifts);
   if (bridges.faces.empty()) return;
-  const auto first = std::ranges::lower_bound(input_face_, given);
+  const auto first = std::ranges::lower_bound(input_face_, given_face_count_);
   // No numbers are kept where no face was left out, nor where all were.
-  first_bridge_ =
-      input_face_.empty() ? std::min(given, face_count()) : static_cast<Index>(first - input_face_.begin());
+  first_bridge_ = input_face_.empty() ? std::min(given_face_count_, face_count())
+                                      : static_cast<Index>(first - input_face_.begin());
 }
 
 void Mesh::connect(const SideLengths& sides, const SideLengths& drifts) {

@@ -127,6 +127,8 @@ class Mesh {
   /// Without the vertices that splits of faces have added, which follow them.
   Index given_vertex_count() const { return static_cast<Index>(positions_.size() - middle_of_.size()); }
   Index face_count() const { return static_cast<Index>(face_vertices_.size()); }
+  /// Of the constructor's list, with those that were left out.
+  Index given_face_count() const { return given_face_count_; }
   Index edge_count() const { return static_cast<Index>(edge_vertices_.size()); }
 
   const Point& position(Index vertex) const { return positions_[vertex]; }
@@ -286,6 +288,7 @@ class Mesh {
 
   std::vector<Point> positions_;
   std::vector<std::array<Index, 3>> face_vertices_;
+  Index given_face_count_;
   std::vector<Index> input_face_;  ///< empty if no face was left out
   std::vector<Index> same_as_;     ///< empty if every vertex stands for itself
   Index first_bridge_ = no_index;  ///< no_index: there is none

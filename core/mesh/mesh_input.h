@@ -66,10 +66,10 @@ class InputMap {
   std::vector<double> on_vertices(std::span<const double> values) const;
   /// Of each given face that was not left out, itself or the part of it with its centre; without bridges.
   std::vector<Index> central_parts() const;
-  /// Values of faces at the centres of the given ones, `count` in number; `none` where one was left out.
+  /// Values of faces at the centres of the given ones; `none` where one was left out.
   template <class Values, class T>
-  std::vector<T> of_faces(const Values& values, std::size_t count, const T& none) const {
-    std::vector<T> given(count, none);
+  std::vector<T> of_faces(const Values& values, const T& none) const {
+    std::vector<T> given(static_cast<std::size_t>(mesh_.given_face_count()), none);
     for (const Index f : central_parts()) given[mesh_.input_face(f)] = values[f];
     return given;
   }

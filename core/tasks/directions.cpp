@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "exact/surface_path.h"
+#include "mesh/mesh_input.h"
 #include "support/parallel.h"
 #include "tasks/path_through.h"
 
@@ -171,7 +172,7 @@ std::vector<Tangent> gradient(Surface& surface, const PointList& sources,
   auto found =
       surface.lend([&](Query& query) { return query.gradient(from, at, max_distance, options.progress); });
   report_from(options, watch, *surface.mesh(), from, at);
-  return found;
+  return at ? std::move(found) : InputMap(*surface.mesh()).of_vertices(std::move(found));
 }
 
 std::vector<Tangent> transport(Surface& surface, const PointList& path, const std::vector<Tangent>& vectors) {
@@ -212,7 +213,7 @@ std::vector<Tangent> transport_from(Surface& surface, const SurfacePoint& point,
   });
   for (Index v = 0; v < mesh.vertex_count(); ++v) carried[v] = carried[mesh.representative(v)];
   report_from(options, watch, mesh, {ExactSource{frame.point()}}, {});
-  return carried;
+  return InputMap(mesh).of_vertices(std::move(carried));
 }
 
 std::vector<TracedEnd> exp_map(Surface& surface, const PointList& points, const std::vector<Tangent>& vectors,

@@ -28,8 +28,8 @@ std::vector<std::array<Point, 3>> tangent_frames(Surface& surface, const PointLi
 LogMap log_map(Surface& surface, const SurfacePoint& point, const std::optional<PointList>& targets,
                double max_distance, const TaskOptions& options);
 
-/// The gradient of the distance from the nearest source, at all vertices or at some points: vectors of length
-/// 1 in the frames there, away from the source, against the direction in which the shortest path to it
+/// The gradient of the distance from the nearest source, at all vertices given or at some points: vectors of
+/// length 1 in the frames there, away from the source, against the direction in which the shortest path to it
 /// begins. NaN at sources, where no path leads or max_distance ends it, and at vertices that have no frame.
 /// Always exact; where several paths are shortest, of one of them. \throw as log_map(), and for points
 /// without a frame. Complexity: an exact field that keeps its windows.
@@ -43,11 +43,11 @@ std::vector<Tangent> gradient(Surface& surface, const PointList& sources,
 /// them). Complexity: O(points).
 std::vector<Tangent> transport(Surface& surface, const PointList& path, const std::vector<Tangent>& vectors);
 
-/// A vector at a point, carried along the shortest paths to all vertices, in the frames there. NaN where no
-/// path leads, beyond max_distance, at vertices without a frame and where the path crosses a place without
-/// one. Always exact; where several paths are shortest, along one of them. \throw as log_map(), and for a
-/// vector that is not finite. Complexity: an exact field that keeps its windows, and O(faces that the paths
-/// cross between the vertices where they turn).
+/// A vector at a point, carried along the shortest paths to all vertices given, in the frames there. NaN
+/// where no path leads, beyond max_distance, at vertices without a frame and where the path crosses a place
+/// without one. Always exact; where several paths are shortest, along one of them. \throw as log_map(), and
+/// for a vector that is not finite. Complexity: an exact field that keeps its windows, and O(faces that the
+/// paths cross between the vertices where they turn).
 std::vector<Tangent> transport_from(Surface& surface, const SurfacePoint& point, const Tangent& vector,
                                     double max_distance, const TaskOptions& options);
 

@@ -147,7 +147,7 @@ Disk geodesic_disk(Surface& surface, const PointList& given, double radius, cons
     const bool is_other_part = f > 0 && mesh.input_face(f) == mesh.input_face(f - 1);
     const auto& corners = mesh.given_corners(f);
     if (!is_other_part && std::ranges::all_of(corners, [&](Index v) { return field[v] < unreachable; })) {
-      disk.faces.push_back(f);
+      disk.faces.push_back(mesh.input_face(f));
     }
   }
   return disk;

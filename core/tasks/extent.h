@@ -56,7 +56,8 @@ struct Extent {
 /// out of range or fewer than 2 fields, Cancelled.
 Extent extent_of_component(Surface& surface, Index start, Index max_fields, const TaskOptions& options = {});
 
-/// \throw InvalidInput for no source, one that is not on the mesh, or a radius that is negative or NaN.
+/// By the numbers given. \throw InvalidInput for no source, one that is not on the mesh, or a radius that is
+/// negative or NaN.
 Disk geodesic_disk(Surface& surface, const PointList& sources, double radius,
                    const TaskOptions& options = {});
 

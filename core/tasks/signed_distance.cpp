@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "exact/exact_solver.h"
+#include "mesh/mesh_input.h"
 #include "tasks/enclosed_part.h"
 #include "tasks/path_through.h"
 
@@ -44,7 +45,7 @@ std::vector<double> signed_field(Surface& surface, const SourceLines& lines, con
     if (field[v] > 0.0) field[v] *= sign[mesh.representative(v)];
   }
   report_exact(options, watch);
-  return field;
+  return InputMap(mesh).of_vertices(std::move(field));
 }
 
 void require_answerable(const Surface& surface, double max_distance, const TaskOptions& options) {

@@ -9,9 +9,9 @@
 
 namespace vorogeo {
 
-/// The distance of every vertex from closed curves, negative inside; beyond max_distance infinite, with its
-/// sign, and `unreachable` on components without a curve. Curves are lines whose consecutive points share a
-/// face, straight there; each ends where it begins. Inside is the side without border of the surface, else
+/// The distance of every vertex given from closed curves, negative inside; beyond max_distance infinite, with
+/// its sign, and `unreachable` on components without a curve. Curves are lines whose consecutive points share
+/// a face, straight there; each ends where it begins. Inside is the side without border of the surface, else
 /// the smaller one (EnclosedPart).
 ///
 /// At most 1.3e-6 of a typical edge too long (ExactLimits::segments). \throw InvalidInput for no curve, one

@@ -1,14 +1,23 @@
 // Texture coordinates of a disk around a point.
 #include "tasks/texture.h"
 
+#include <array>
 #include <cmath>
+#include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "mesh/mesh_input.h"
 #include "mesh/vectors.h"
 
 namespace vorogeo {
 
 namespace {
+
+/// Of faces without coordinates.
+constexpr std::array<double, 2> no_stretch{std::numeric_limits<double>::quiet_NaN(),
+                                           std::numeric_limits<double>::quiet_NaN()};
 
 void require_above_0(double value, const char* what) {
   if (value > 0.0 && std::isfinite(value)) return;
@@ -44,10 +53,10 @@ TextureCoordinates texture_coordinates(Surface& surface, const SurfacePoint& poi
     throw InvalidInput("The rotation is " + std::to_string(rotation) + "; give a finite number of radians.");
   }
   const std::vector<Tangent> vectors = log_map(surface, point, {}, radius, options).vector;
-  TextureCoordinates found;
+  std::vector<std::array<double, 2>> coordinates, stretches;
   const double cosine = std::cos(rotation), sine = std::sin(rotation), side = 2.0 * radius * scale;
   for (const auto& [x, y] : vectors) {
-    found.coordinates.push_back({0.5 + (cosine * x + sine * y) / side, 0.5 + (cosine * y - sine * x) / side});
+    coordinates.push_back({0.5 + (cosine * x + sine * y) / side, 0.5 + (cosine * y - sine * x) / side});
   }
   const Mesh& mesh = *surface.mesh();
   for (Index f = 0; f < mesh.face_count(); ++f) {
@@ -58,9 +67,10 @@ TextureCoordinates texture_coordinates(Surface& surface, const SurfacePoint& poi
     const auto corner = mesh.face_corners(f);
     const auto stretch = stretch_of(difference(b, a), difference(c, a), minus(corner[1], corner[0]),
                                     minus(corner[2], corner[0]));
-    found.stretch.push_back(std::isfinite(stretch[0]) ? stretch : no_stretch);
+    stretches.push_back(std::isfinite(stretch[0]) ? stretch : no_stretch);
   }
-  return found;
+  const InputMap map(mesh);
+  return {map.of_vertices(std::move(coordinates)), map.of_faces(stretches, no_stretch)};
 }
 
 }  // namespace vorogeo

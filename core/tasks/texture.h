@@ -1,10 +1,6 @@
 // Texture coordinates of a disk around a point.
 #pragma once
 
-#include <array>
-#include <limits>
-#include <vector>
-
 #include "tasks/directions.h"
 
 namespace vorogeo {
@@ -16,14 +12,10 @@ struct Placement {
   double scale = 1.0;     ///< of the picture; at 1 its side is twice the radius
 };
 
-/// Of faces without coordinates.
-inline constexpr std::array<double, 2> no_stretch{std::numeric_limits<double>::quiet_NaN(),
-                                                  std::numeric_limits<double>::quiet_NaN()};
-
-/// From the logarithmic map: lines through the middle of the picture become shortest paths from the point, of
-/// their true length. Where paths come round different ways (the cut locus), faces are stretched at random.
-/// \throw InvalidInput as log_map(), for a radius or a scale that is not above 0, and a rotation that is not
-/// finite. Complexity: that of the log map.
+/// By vertex and by face, as they were given. From the logarithmic map: lines through the middle of the
+/// picture become shortest paths from the point, of their true length. Where paths come round different ways
+/// (the cut locus), faces are stretched at random. \throw InvalidInput as log_map(), for a radius or a scale
+/// that is not above 0, and a rotation that is not finite. Complexity: that of the log map.
 TextureCoordinates texture_coordinates(Surface& surface, const SurfacePoint& point,
                                        const Placement& placement, const TaskOptions& options);
 

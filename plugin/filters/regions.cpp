@@ -339,12 +339,11 @@ Results select_disk(FilterCall& call) {
   const TaskPoints sources = disk_sources(call, *layer);
   auto [disk, answered, results] =
       ask_task(call, *layer, "Geodesic disk", geodesic_disk, sources.points, radius);
-  const auto mesh = layer->mesh();
   call.progress.report(1.0, "Selecting");
   vcg::tri::UpdateSelection<CMeshO>::VertexClear(call.layer.cm);
   vcg::tri::UpdateSelection<CMeshO>::FaceClear(call.layer.cm);
   for (Index v : disk.vertices) call.layer.cm.vert[layer->host_vertex(v)].SetS();
-  for (Index f : disk.faces) call.layer.cm.face[layer->host_face(*mesh, f)].SetS();
+  for (Index f : disk.faces) call.layer.cm.face[layer->arrays().input_of_face[f]].SetS();
   call.log("Selected " + std::to_string(disk.vertices.size()) + " vertices and " +
            std::to_string(disk.faces.size()) + " faces");
   results["selected_vertices"] = static_cast<int>(disk.vertices.size());

@@ -26,7 +26,6 @@ struct HeldMesh {
   };
 
   std::shared_ptr<const Mesh> mesh;
-  std::size_t input_faces;  ///< rows of the faces that were given
   std::shared_ptr<Locator> locator = std::make_shared<Locator>();
 
   const SurfaceLocator& located() const {
@@ -46,11 +45,6 @@ struct HeldSurface {
     return arrays ? std::optional(points(*arrays)) : std::nullopt;
   }
 };
-
-/// Values at the centres of faces, by row of the faces given; no_index for a face that was left out.
-inline std::vector<Index> by_input_face(const HeldMesh& held, std::span<const Index> of_face) {
-  return InputMap(*held.mesh).of_faces(of_face, held.input_faces, no_index);
-}
 
 /// Paths for Python, collected without the GIL: lengths, certified, where the points of each path begin,
 /// positions, the points on the surface, and which of them begin a step over a gap.

@@ -75,7 +75,7 @@ HeldMesh read_mesh(const VertexArray& vertices, const FaceArray& faces, const Si
       if (drifts) input.metric.drifts = rows_of<3>(*drifts);
       if (splits) input.metric.splits = splits_of(*splits, vertices.shape(0), faces.shape(0));
     }
-    return {measured_mesh(std::move(input)), faces.shape(0)};
+    return {measured_mesh(std::move(input))};
   });
 }
 

@@ -66,7 +66,7 @@ void save(const HeldSurface& self, const std::filesystem::path& file) {
 
 Values<Index> face_patches(const HeldSurface& self, int layer) {
   const auto index = self.surface->index();
-  return to_numpy(by_input_face(self.held_mesh, index->face_patches(layer)));
+  return to_numpy(InputMap(self.mesh()).of_faces(index->face_patches(layer), no_index));
 }
 
 nb::dict statistics(const HeldSurface& self) {

@@ -131,10 +131,10 @@ PointColumns columns_of(const HeldSurface& held, const std::vector<SurfacePoint>
 auto voronoi(const TaskOptions& options, const HeldSurface& held, const PointArrays& points) {
   auto found = voronoi_regions(*held.surface, held.points(points), options);
   const InputMap map(held.mesh());
-  return std::tuple(
-      map.of_vertices(std::move(found.vertex_region)), map.of_vertices(std::move(found.distance)),
-      by_input_face(held.held_mesh, found.face_region), std::move(found.area),
-      std::move(found.borders.points), std::move(found.borders.segments), std::move(found.border_regions));
+  return std::tuple(map.of_vertices(std::move(found.vertex_region)),
+                    map.of_vertices(std::move(found.distance)), map.of_faces(found.face_region, no_index),
+                    std::move(found.area), std::move(found.borders.points), std::move(found.borders.segments),
+                    std::move(found.border_regions));
 }
 
 /// Points, edges, and the level at each point.
@@ -163,7 +163,6 @@ auto poisson_disk(const TaskOptions& options, const HeldSurface& held, double ra
 
 auto disk(const TaskOptions& options, const HeldSurface& held, const PointArrays& sources, double radius) {
   auto found = geodesic_disk(*held.surface, held.points(sources), radius, options);
-  for (Index& face : found.faces) face = held.mesh().input_face(face);
   return std::tuple(std::move(found.vertices), std::move(found.distance), std::move(found.faces));
 }
 
@@ -298,8 +297,8 @@ auto logarithms(const TaskOptions& options, const HeldSurface& held, const Point
 /// Vectors. Without `points`, of all vertices.
 auto gradients(const TaskOptions& options, const HeldSurface& held, const PointArrays& sources,
                const OptionalPoints& points, double max_distance) {
-  auto found = gradient(*held.surface, held.points(sources), held.points(points), max_distance, options);
-  return std::tuple(points ? std::move(found) : InputMap(held.mesh()).of_vertices(std::move(found)));
+  return std::tuple(
+      gradient(*held.surface, held.points(sources), held.points(points), max_distance, options));
 }
 
 auto carried(const TaskOptions&, const HeldSurface& held, const PointArrays& path,
@@ -309,9 +308,8 @@ auto carried(const TaskOptions&, const HeldSurface& held, const PointArrays& pat
 
 auto carried_to_vertices(const TaskOptions& options, const HeldSurface& held, const PointArrays& point,
                          const TangentArray& vector, double max_distance) {
-  auto found =
-      transport_from(*held.surface, held.points(point)[0], rows_of<2>(vector)[0], max_distance, options);
-  return std::tuple(InputMap(held.mesh()).of_vertices(std::move(found)));
+  return std::tuple(
+      transport_from(*held.surface, held.points(point)[0], rows_of<2>(vector)[0], max_distance, options));
 }
 
 /// Points and lengths of lines.
@@ -370,15 +368,13 @@ auto clusters(const TaskOptions& options, const HeldSurface& held, Index count, 
 
 auto signed_by_lines(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
                      const IdArray& begin, double max_distance) {
-  auto found = signed_distance(*held.surface, lines_of(held, points, begin), max_distance, options);
-  return std::tuple(InputMap(held.mesh()).of_vertices(std::move(found)));
+  return std::tuple(signed_distance(*held.surface, lines_of(held, points, begin), max_distance, options));
 }
 
 /// `in_region`: by face that was given.
 auto signed_by_region(const TaskOptions& options, const HeldSurface& held, const FlagArray& in_region,
                       double max_distance) {
-  auto found = signed_distance(*held.surface, values_of(in_region), max_distance, options);
-  return std::tuple(InputMap(held.mesh()).of_vertices(std::move(found)));
+  return std::tuple(signed_distance(*held.surface, values_of(in_region), max_distance, options));
 }
 
 auto distance_gradients(const TaskOptions& options, const HeldSurface& held, const PointArrays& sources,
@@ -400,9 +396,7 @@ auto cut_locus_of(const TaskOptions& options, const HeldSurface& held, const Poi
 auto texture(const TaskOptions& options, const HeldSurface& held, const PointArrays& point, double radius,
              double rotation, double scale) {
   auto found = texture_coordinates(*held.surface, held.points(point)[0], {radius, rotation, scale}, options);
-  const InputMap map(held.mesh());
-  return std::tuple(map.of_vertices(std::move(found.coordinates)),
-                    map.of_faces(found.stretch, held.held_mesh.input_faces, no_stretch));
+  return std::tuple(std::move(found.coordinates), std::move(found.stretch));
 }
 
 }  // namespace
