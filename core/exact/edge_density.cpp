@@ -56,13 +56,10 @@ void FeatureSizes::find_knots(Index edge, std::vector<Knot>& knots) const {
   const double cost = norms_.edge_cost(edge);
   const auto [a, b] = mesh.edge_vertices(edge);
   knots.assign({{0.0, std::min(size_at_[a], cost)}, {cost, std::min(size_at_[b], cost)}});
-  const Index first = mesh.edge_halfedge(edge);
-  Index h = first;
-  do {
+  mesh.for_each_halfedge(edge, [&](Index h) {
     const auto [at, away] = apex_of(norms_.frame(h), cost);
     knots.push_back({at, away + std::min(size_at_[mesh.apex(h)], cost)});
-    h = mesh.next_around_edge(h);
-  } while (h != first);
+  });
   for (Index link = first_[edge]; link != no_index; link = links_[link].next)
     knots.push_back(links_[link].knot);
 }

@@ -368,7 +368,8 @@ template <class MayBe>
 Index WaveTree::arrival_from(Index vertex, const MayBe& may_be) {
   double least = unreachable, nearest = unreachable;
   Index arrival = no_index;
-  const auto look_at = [&](Index edge) {
+  mesh_.for_each_side_at(vertex, [&](Index side, Index) {
+    const Index edge = mesh_.edge_of(side);
     const bool is_first = geometry_.ends(edge)[0] == vertex;
     const Index number = is_first ? first_part_[edge] : first_part_[edge + 1] - 1;
     const EdgePart& part = parts_[number];
@@ -378,11 +379,7 @@ Index WaveTree::arrival_from(Index vertex, const MayBe& may_be) {
     if (!(distance < least) || !may_be(number)) return;
     least = distance;
     arrival = edge;
-  };
-  for (const Index corner : mesh_.corners(vertex)) {
-    look_at(mesh_.edge_of(corner));
-    look_at(mesh_.edge_of(Mesh::previous_in_face(corner)));
-  }
+  });
   return least <= nearest * (1.0 + as_near) ? arrival : no_index;
 }
 

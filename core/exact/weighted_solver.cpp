@@ -256,12 +256,10 @@ bool WeightedSolver::is_beyond_limit(Index point) const {
     longest = std::max({longest, norms_->along(edge, piece), norms_->along(edge, -piece)});
   };
   if (norms_->is_vertex(point)) {
-    for (const Index corner : mesh().corners(point)) {
-      for (const Index side : {corner, Mesh::previous_in_face(corner)}) {
-        const Index edge = mesh().edge_of(side);
-        add(edge, mesh().edge_vertices(edge)[0] == point ? 0 : norms_->points_on(edge));
-      }
-    }
+    mesh().for_each_side_at(point, [&](Index side, Index) {
+      const Index edge = mesh().edge_of(side);
+      add(edge, mesh().edge_vertices(edge)[0] == point ? 0 : norms_->points_on(edge));
+    });
   } else {
     const Index k = norms_->along_edge(point);
     add(norms_->edge_of(point), k - 1);
@@ -421,18 +419,14 @@ void WeightedSolver::cross_from_vertex(Index corner) {
 /// Into all faces of an edge but the one that the wave came through.
 template <bool one_way>
 void WeightedSolver::cross_from(Index edge, Index from) {
-  const Index first = mesh().edge_halfedge(edge);
-  Index h = first;
-  do {
-    if (may_enter(Mesh::face_of(h), state_[norms_->point(edge, from)].distance)) {
-      if (norms_->in_thin_fan(Mesh::face_of(h))) {
-        cross_thin(h, from);
-      } else {
-        cross<one_way>(h, from);
-      }
+  mesh().for_each_halfedge(edge, [&](Index h) {
+    if (!may_enter(Mesh::face_of(h), state_[norms_->point(edge, from)].distance)) return;
+    if (norms_->in_thin_fan(Mesh::face_of(h))) {
+      cross_thin(h, from);
+    } else {
+      cross<one_way>(h, from);
     }
-    h = mesh().next_around_edge(h);
-  } while (h != first);
+  });
 }
 
 /// Whether the wave at a point goes on into a face: it did not come through it, or runs along the edge.
@@ -622,16 +616,12 @@ WeightedSolver::BackStep WeightedSolver::step_along(Index edge, double fraction,
     take(norms_->point(edge, k), norms_->fraction(edge, k), no_index);
   }
   // The apex of a face without width lies on the edge, between its points.
-  const Index first = mesh().edge_halfedge(edge);
-  Index h = first;
-  do {
-    if (norms_->is_flat(Mesh::face_of(h))) {
-      const EdgeFrame frame = norms_->frame(h);
-      const double foot = frame.length > 0.0 ? frame.apex_x / frame.length : 0.0;
-      if (foot > 0.0 && foot < 1.0) take(mesh().apex(h), foot, Mesh::face_of(h));
-    }
-    h = mesh().next_around_edge(h);
-  } while (h != first);
+  mesh().for_each_halfedge(edge, [&](Index h) {
+    if (!norms_->is_flat(Mesh::face_of(h))) return;
+    const EdgeFrame frame = norms_->frame(h);
+    const double foot = frame.length > 0.0 ? frame.apex_x / frame.length : 0.0;
+    if (foot > 0.0 && foot < 1.0) take(mesh().apex(h), foot, Mesh::face_of(h));
+  });
   return best;
 }
 

@@ -192,27 +192,24 @@ double expected_entries(const Mesh& mesh, const Partition& partition, std::span<
   double all_nodes = 0.0;
   for (const BorderEdge& border : borders) {
     const Index pieces = pieces_of(border, lengths);
-    const Index first = mesh.edge_halfedge(border.edge);
-    const Index parent = partition.first_layer[Mesh::face_of(first)];
+    const Index parent = partition.first_layer[Mesh::face_of(mesh.edge_halfedge(border.edge))];
     bool between_parents = false;
-    Index h = first;
-    do {
+    mesh.for_each_halfedge(border.edge, [&](Index h) {
       PatchCounts& patch = patches[partition.second_layer[Mesh::face_of(h)]];
       patch.border += 1.0;
       patch.added += pieces - 1;
       between_parents |= partition.first_layer[Mesh::face_of(h)] != parent;
-      h = mesh.next_around_edge(h);
-    } while (h != first);
+    });
     members[parent] += pieces;
     if (!between_parents) continue;
     all_nodes += pieces;
     nodes[parent] += pieces;
-    for (h = mesh.next_around_edge(first); h != first; h = mesh.next_around_edge(h)) {
+    mesh.for_each_halfedge(border.edge, [&](Index h) {
       const Index other = partition.first_layer[Mesh::face_of(h)];
-      if (other == parent) continue;
+      if (other == parent) return;
       members[other] += pieces;
       nodes[other] += pieces;
-    }
+    });
   }
   double entries = all_nodes * all_nodes;
   for (std::size_t p = 0; p < nodes.size(); ++p) entries += nodes[p] * members[p];

@@ -18,12 +18,7 @@ namespace {
 void patches_at_edge(const Mesh& mesh, std::span<const Index> label, Index edge,
                      std::vector<Index>& patches) {
   patches.clear();
-  const Index first = mesh.edge_halfedge(edge);
-  Index h = first;
-  do {
-    patches.push_back(label[Mesh::face_of(h)]);
-    h = mesh.next_around_edge(h);
-  } while (h != first);
+  mesh.for_each_halfedge(edge, [&](Index h) { patches.push_back(label[Mesh::face_of(h)]); });
   sort_once(patches);
 }
 

@@ -182,11 +182,7 @@ void Mesh::find_components() {
 
 int Mesh::edge_face_count(Index edge) const {
   int count = 0;
-  Index h = edge_halfedge_[edge];
-  do {
-    ++count;
-    h = next_around_edge_[h];
-  } while (h != edge_halfedge_[edge]);
+  for_each_halfedge(edge, [&](Index) { ++count; });
   return count;
 }
 
@@ -308,14 +304,10 @@ void Mesh::link_edges() {
     std::vector<Key> keys;
     keys.reserve(static_cast<std::size_t>(corner_begin_[end] - corner_begin_[begin]));
     for (Index v = begin; v < end; ++v) {
-      auto add = [&](Index other, Index h) {
-        if (other > v) keys.push_back(static_cast<Key>(other) << 32 | static_cast<Key>(h));
-      };
       const auto first = static_cast<std::ptrdiff_t>(keys.size());
-      for (Index h : corners(v)) {
-        add(head(h), h);
-        add(apex(h), previous_in_face(h));
-      }
+      for_each_side_at(v, [&](Index h, Index other) {
+        if (other > v) keys.push_back(static_cast<Key>(other) << 32 | static_cast<Key>(h));
+      });
       std::sort(keys.begin() + first, keys.end());
       Index previous = no_index;
       for (auto key = keys.begin() + first; key != keys.end(); ++key) {
@@ -600,11 +592,11 @@ void Mesh::take_sides(const SideLengths& sides) {
   for (const Index e : checked(edge_count())) {
     // Side k is opposite corner k, so half-edge 3 f + i is side i + 2.
     auto length_at = [&](Index h) { return sides[input_face(face_of(h))][(h + 2) % 3]; };
-    const Index first = edge_halfedge_[e];
-    edge_length_[e] = length_at(first);
-    if (!may_jump) require_agreement(e, sides);
-    for (Index h = next_around_edge_[first]; may_jump && h != first; h = next_around_edge_[h]) {
-      edge_length_[e] = std::min(edge_length_[e], length_at(h));
+    double& length = edge_length_[e] = length_at(edge_halfedge_[e]);
+    if (may_jump) {
+      for_each_halfedge(e, [&](Index h) { length = std::min(length, length_at(h)); });
+    } else {
+      require_agreement(e, sides);
     }
   }
 }
@@ -691,13 +683,11 @@ void Mesh::drift_along_edges() {
   for (const Index e : checked(edge_count())) {
     double forth = unreachable;
     double back = unreachable;
-    Index h = edge_halfedge_[e];
-    do {
+    for_each_halfedge(e, [&](Index h) {
       const double along = tail(h) == edge_vertices_[e][0] ? drift(h) : -drift(h);
       forth = std::min(forth, side_length(h) + along);
       back = std::min(back, side_length(h) - along);
-      h = next_around_edge_[h];
-    } while (h != edge_halfedge_[e]);
+    });
     edge_length_[e] = 0.5 * (forth + back);
     edge_drift_[e] = 0.5 * (forth - back);
   }

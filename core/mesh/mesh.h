@@ -215,6 +215,16 @@ class Mesh {
   Index edge_of(Index halfedge) const { return halfedge_edge_[halfedge]; }
   /// The next half-edge of the same undirected edge; itself on a border.
   Index next_around_edge(Index halfedge) const { return next_around_edge_[halfedge]; }
+  /// Calls visit(half-edge) for each half-edge of an edge, from edge_halfedge() on.
+  template <class Visit>
+  void for_each_halfedge(Index edge, Visit&& visit) const {
+    const Index first = edge_halfedge_[edge];
+    Index h = first;
+    do {
+      visit(h);
+      h = next_around_edge_[h];
+    } while (h != first);
+  }
   /// Prefetches what next_around_edge() reads.
   void prefetch_around_edge(Index halfedge) const { prefetch_line(&next_around_edge_[halfedge]); }
 
@@ -232,6 +242,15 @@ class Mesh {
   /// Half-edges that leave a vertex, one for each face corner at it, in the order of `fan`.
   std::span<const Index> corners(Index vertex) const {
     return {corners_.data() + corner_begin_[vertex], corners_.data() + corner_begin_[vertex + 1]};
+  }
+  /// Calls visit(half-edge, other end) for both edges of each corner at a vertex: for an edge as often as it
+  /// has faces.
+  template <class Visit>
+  void for_each_side_at(Index vertex, Visit&& visit) const {
+    for (const Index corner : corners(vertex)) {
+      visit(corner, head(corner));
+      visit(previous_in_face(corner), apex(corner));
+    }
   }
   /// The edge that joins two vertices; no_index if there is none.
   Index edge_between(Index a, Index b) const;

@@ -51,18 +51,15 @@ double path_along_edges(const Mesh& mesh, Index start, Index goal, std::vector<P
     if (++looked_at % 256 == 0) checkpoint();
     const double at = reached.at(vertex).distance;
     if (key > (at + straight(vertex)) * (1.0 + 1e-12)) continue;
-    for (Index corner : mesh.corners(vertex)) {
-      for (Index side : {corner, Mesh::previous_in_face(corner)}) {
-        const Index other = side == corner ? mesh.head(side) : mesh.tail(side);
-        const Reached found{at + mesh.edge_length(mesh.edge_of(side)), side, vertex};
-        const auto [known, is_new] = reached.try_emplace(other, found);
-        if (!is_new) {
-          if (known->second.distance <= found.distance) continue;
-          known->second = found;
-        }
-        queue.push({found.distance + straight(other), other});
+    mesh.for_each_side_at(vertex, [&](Index side, Index other) {
+      const Reached found{at + mesh.edge_length(mesh.edge_of(side)), side, vertex};
+      const auto [known, is_new] = reached.try_emplace(other, found);
+      if (!is_new) {
+        if (known->second.distance <= found.distance) return;
+        known->second = found;
       }
-    }
+      queue.push({found.distance + straight(other), other});
+    });
   }
   if (!reached.contains(goal)) return unreachable;
   const auto first = static_cast<std::ptrdiff_t>(passed.size());
@@ -136,17 +133,6 @@ constexpr double longer = 1.1;
 
 /// Of a walk that is not on an edge.
 constexpr double off_the_edge = -1.0;
-
-/// Calls visit(half-edge) for every face at an edge.
-template <class Visit>
-void for_each_side(const Mesh& mesh, Index edge, Visit&& visit) {
-  const Index first = mesh.edge_halfedge(edge);
-  Index h = first;
-  do {
-    visit(h);
-    h = mesh.next_around_edge(h);
-  } while (h != first);
-}
 
 double length_of(double x, double y) { return std::sqrt(x * x + y * y); }
 
@@ -300,7 +286,7 @@ class StepWalk {
     }
     const Index edge = data_.surface.point_at(place_).edge;
     for (Index vertex : mesh_.edge_vertices(edge)) visit(vertex);
-    for_each_side(mesh_, edge, [&](Index h) { visit(geometry_.frame[h].apex); });
+    mesh_.for_each_halfedge(edge, [&](Index h) { visit(geometry_.frame[h].apex); });
   }
 
   /// Prefetches what is needed to find the column of a vertex.
@@ -405,7 +391,7 @@ class StepWalk {
     start.at_first = distance(start.first);
     start.at_second = distance(start.second);
     Move best;
-    for_each_side(mesh_, point.edge, [&](Index h) {
+    mesh_.for_each_halfedge(point.edge, [&](Index h) {
       const Move move = cross(h, start, distance(geometry_.frame[h].apex));
       if (move.length < best.length) best = move;
     });
@@ -650,7 +636,7 @@ bool pass(const InnerSurface& surface, const PassedFace& next, FaceStrip& strip)
   HalfedgePair crossing{next.exit, next.entry};
   if (next.exit == no_index) {
     const Index edge = surface.point_at(next.pivot).edge;
-    for_each_side(mesh, edge, [&](Index h) {
+    mesh.for_each_halfedge(edge, [&](Index h) {
       if (Mesh::face_of(h) == strip.last()) crossing.exit = h;
       if (Mesh::face_of(h) == next.face) crossing.entry = h;
     });

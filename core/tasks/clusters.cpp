@@ -85,11 +85,9 @@ std::vector<Index> seeds(Index count, std::span<const double> weights, Power pow
 void lower_along_edges(const Mesh& mesh, Index from, std::vector<double>& distance) {
   VertexSearch search(std::move(distance), std::array{mesh.representative(from)});
   for (Index v = search.settle_next(); v != no_index; v = search.settle_next()) {
-    for (const Index h : mesh.corners(v)) {
-      const Index before = Mesh::previous_in_face(h);
-      search.lower(mesh.head(h), search.distance(v) + mesh.edge_length(mesh.edge_of(h)));
-      search.lower(mesh.tail(before), search.distance(v) + mesh.edge_length(mesh.edge_of(before)));
-    }
+    mesh.for_each_side_at(v, [&](Index side, Index other) {
+      search.lower(other, search.distance(v) + mesh.edge_length(mesh.edge_of(side)));
+    });
   }
   distance = search.distances();
   if (!mesh.has_merged_vertices()) return;

@@ -79,12 +79,7 @@ class MeshCutter {
   /// Divides the faces. Regions are left to the caller.
   CutMesh divided() {
     for (const auto& [edge, points] : on_edge_) {
-      const Index first = mesh_.edge_halfedge(edge);
-      Index h = first;
-      do {
-        pieces_.try_emplace(Mesh::face_of(h));
-        h = mesh_.next_around_edge(h);
-      } while (h != first);
+      mesh_.for_each_halfedge(edge, [&](Index h) { pieces_.try_emplace(Mesh::face_of(h)); });
     }
     auto next = pieces_.begin();
     for (const Index f : checked(mesh_.first_bridge())) {

@@ -243,15 +243,6 @@ class LoopClasses {
   std::vector<SurfacePoint> loop_across(Index edge) const;
 
  private:
-  template <class Visit>
-  void for_each_edge_at(Index vertex, Visit&& visit) const {
-    for (const Index corner : mesh_.corners(vertex)) {
-      for (const Index h : {corner, Mesh::previous_in_face(corner)}) {
-        const auto& [a, b] = mesh_.edge_vertices(mesh_.edge_of(h));
-        visit(mesh_.edge_of(h), a == vertex ? b : a);
-      }
-    }
-  }
   void grow_tree();
   void prune();
   bool is_open(Index edge) const { return state_[edge] == open; }
@@ -272,8 +263,9 @@ void LoopClasses::grow_tree() {
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> next;
   auto reach = [&](Index vertex) {
     is_reached[vertex] = 1;
-    for_each_edge_at(vertex, [&](Index edge, Index other) {
-      if (state_[edge] == elsewhere) state_[edge] = open;
+    mesh_.for_each_side_at(vertex, [&](Index h, Index other) {
+      State& state = state_[mesh_.edge_of(h)];
+      if (state == elsewhere) state = open;
       if (!is_reached[other]) next.emplace(distance_[other], other);
     });
   };
@@ -292,11 +284,11 @@ void LoopClasses::grow_tree() {
     next.pop();
     if (is_reached[vertex]) continue;
     double least = unreachable;
-    for_each_edge_at(vertex, [&](Index edge, Index other) {
-      const double by = distance_[other] + mesh_.edge_length(edge);
+    mesh_.for_each_side_at(vertex, [&](Index h, Index other) {
+      const double by = distance_[other] + mesh_.edge_length(mesh_.edge_of(h));
       if (!is_reached[other] || !(by < least)) return;
       least = by;
-      by_edge_[vertex] = edge;
+      by_edge_[vertex] = mesh_.edge_of(h);
     });
     reach(vertex);
     state_[by_edge_[vertex]] = tree;
@@ -322,12 +314,9 @@ void LoopClasses::prune() {
   std::vector<Index> ends;
   auto remove = [&](Index edge) {
     state_[edge] = removed;
-    const Index first = mesh_.edge_halfedge(edge);
-    Index h = first;
-    do {
+    mesh_.for_each_halfedge(edge, [&](Index h) {
       if (--open_edges[Mesh::face_of(h)] == 1) ends.push_back(Mesh::face_of(h));
-      h = mesh_.next_around_edge(h);
-    } while (h != first);
+    });
   };
   if (!point_.is_vertex()) {
     for_each_face_at(mesh_, point_, [&](Index face, const std::array<double, 3>&) {

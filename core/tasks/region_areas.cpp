@@ -40,11 +40,8 @@ std::vector<RegionArea> region_areas(const Mesh& mesh, std::span<const Index> la
     region.volume += (turned[f] ? -sixfold : sixfold) / 6.0;
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
       int count = 0;
-      Index other = h;
-      do {
-        count += region_of(Mesh::face_of(other)) == own ? 1 : 0;
-        other = mesh.next_around_edge(other);
-      } while (other != h);
+      mesh.for_each_halfedge(mesh.edge_of(h),
+                             [&](Index other) { count += region_of(Mesh::face_of(other)) == own ? 1 : 0; });
       if (count == 1) region.border_length += mesh.side_length(h);
       if (count != 2) region.volume = std::numeric_limits<double>::quiet_NaN();
     }
