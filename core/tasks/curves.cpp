@@ -59,29 +59,7 @@ AlongPath along_path(const Mesh& mesh, const PointList& path) {
   return {mesh, Points(points.begin(), points.end())};
 }
 
-/// Tells what answered; its time is in addition to that of earlier paths.
-void add_answered(const TaskOptions& options, Answered answered) {
-  if (options.answered == nullptr) return;
-  answered.seconds += options.answered->seconds;
-  answered.index_seconds += options.answered->index_seconds;
-  *options.answered = answered;
-}
-
-/// Exact paths between points of two lists. \throw InvalidInput for a pair that none joins, as if both lists
-/// were one.
-std::vector<ExactPath> legs(Surface& surface, const Points& from, const Points& to,
-                            const TaskOptions& options) {
-  Answered answered;
-  const PointList sources = from, targets = to;
-  auto found = surface.paths({sources, targets}, options.by, {.exact = true}, answered, options.progress);
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    if (found[i].path.points.empty()) refuse_leg(*surface.mesh(), i, from[i], i + 1, to[i]);
-  }
-  add_answered(options, answered);
-  return found;
-}
-
-/// The same with a part of the progress.
+/// With a part of the progress.
 TaskOptions part_of(const TaskOptions& options, double begin, double end) {
   return {options.by, options.progress.part(begin, end), options.answered};
 }
@@ -99,7 +77,7 @@ Points casteljau(Surface& surface, const std::vector<Points>& controls, Index sa
     to.insert(to.end(), control.begin() + 1, control.end());
   }
   const double levels = static_cast<double>(order) - 1.0;
-  const auto first = legs(surface, from, to, part_of(options, 0.0, 1.0 / levels));
+  const auto first = legs_between(surface, PointPairs{from, to}, false, part_of(options, 0.0, 1.0 / levels));
   std::vector<Points> rows(controls.size() * static_cast<std::size_t>(samples));
   const auto parameter = [&](std::size_t row) {
     return static_cast<double>(row % static_cast<std::size_t>(samples)) / samples;
@@ -119,7 +97,8 @@ Points casteljau(Surface& surface, const std::vector<Points>& controls, Index sa
       to.insert(to.end(), row.begin() + 1, row.end());
     }
     const double done = static_cast<double>(level);
-    const auto found = legs(surface, from, to, part_of(options, (done - 1.0) / levels, done / levels));
+    const auto found = legs_between(surface, PointPairs{from, to}, false,
+                                    part_of(options, (done - 1.0) / levels, done / levels));
     std::size_t leg = 0;
     for (std::size_t row = 0; row < rows.size(); ++row) {
       Points next;
@@ -136,9 +115,7 @@ Points casteljau(Surface& surface, const std::vector<Points>& controls, Index sa
 
 /// Samples of a curve, joined by shortest paths.
 ExactPath joined(Surface& surface, const Points& samples, const TaskOptions& options) {
-  const double before = options.answered == nullptr ? 0.0 : options.answered->seconds;
   ExactPath curve = path_through(surface, samples, false, options);
-  if (options.answered != nullptr) options.answered->seconds += before;
   curve.certified = false;
   return curve;
 }
@@ -157,18 +134,9 @@ PointList checked_controls(const Mesh& mesh, const PointList& points, std::size_
   return points_on(mesh, points, "Point");
 }
 
-/// The paths between neighbours of a list. \throw InvalidInput for two that none joins.
-std::vector<ExactPath> legs_of(Surface& surface, const PointList& points, bool closed,
-                               const TaskOptions& options) {
-  Answered answered;
-  auto found = legs_between(surface, points, closed, {options.by, options.progress, &answered});
-  add_answered(options, answered);
-  return found;
-}
-
 Points middles(Surface& surface, const Points& points, bool closed, const TaskOptions& options) {
   Points found;
-  for (const ExactPath& leg : legs_of(surface, points, closed, options)) {
+  for (const ExactPath& leg : legs_between(surface, points, closed, options)) {
     found.push_back(AlongPath(*surface.mesh(), leg.path.points).at(0.5));
   }
   return found;
@@ -251,7 +219,7 @@ ExactPath b_spline(Surface& surface, const PointList& given, bool closed, Index 
 ExactPath spline(Surface& surface, const PointList& given, bool closed, Index samples,
                  const TaskOptions& options) {
   const PointList points = checked_controls(*surface.mesh(), given, closed ? 3 : 2, samples);
-  const auto leg = legs_of(surface, points, closed, part_of(options, 0.0, 0.1));
+  const auto leg = legs_between(surface, points, closed, part_of(options, 0.0, 0.1));
   const std::size_t count = points.size();
   std::vector<Points> controls;
   for (std::size_t i = 0; i < leg.size(); ++i)

@@ -30,17 +30,28 @@ void refuse_step(const Mesh& mesh, const PointList& path, std::size_t i) {
                      ") of the path share no face; give one that path() or path_through() found.");
 }
 
+std::vector<ExactPath> legs_between(Surface& surface, const PointPairs& ends, bool closed,
+                                    const TaskOptions& options) {
+  Answered answered;
+  auto legs = surface.paths(ends, options.by, {.exact = true}, answered, options.progress);
+  if (options.answered != nullptr) {
+    answered.seconds += options.answered->seconds;
+    answered.index_seconds += options.answered->index_seconds;
+    *options.answered = answered;
+  }
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    if (!legs[i].path.points.empty()) continue;
+    const std::size_t next = closed && i + 1 == legs.size() ? 0 : i + 1;
+    refuse_leg(*surface.mesh(), i, ends.sources[i], next, ends.targets[i]);
+  }
+  return legs;
+}
+
 std::vector<ExactPath> legs_between(Surface& surface, const PointList& points, bool closed,
                                     const TaskOptions& options) {
   std::vector<SurfacePoint> from(points.begin(), points.end()), to(points.begin() + 1, points.end());
   closed ? to.push_back(points[0]) : from.pop_back();
-  Answered answered;
-  auto legs = surface.paths({from, to}, options.by, {.exact = true}, answered, options.progress);
-  if (options.answered != nullptr) *options.answered = answered;
-  for (std::size_t i = 0; i < legs.size(); ++i) {
-    if (legs[i].path.points.empty()) refuse_leg(*surface.mesh(), i, from[i], (i + 1) % points.size(), to[i]);
-  }
-  return legs;
+  return legs_between(surface, PointPairs{from, to}, closed, options);
 }
 
 ExactPath path_through(Surface& surface, const PointList& points, bool closed, const TaskOptions& options) {

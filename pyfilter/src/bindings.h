@@ -1,12 +1,14 @@
 // What the classes of _core hold, how a question is asked without Python's lock, and what binds each part.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "arrays.h"
 #include "exact/surface_path.h"
@@ -46,32 +48,34 @@ struct HeldSurface {
   }
 };
 
+/// Points for Python.
+inline PointColumns columns_of(const HeldSurface& held, const std::vector<SurfacePoint>& points) {
+  PointColumns columns;
+  for (const SurfacePoint& point : points) columns.add(held.mesh(), point);
+  return columns;
+}
+
 /// Paths for Python, collected without the GIL: lengths, certified, where the points of each path begin,
 /// positions, the points on the surface, and which of them begin a step over a gap.
-class PathArrays {
- public:
-  void add(const Mesh& mesh, const ExactPath& one) {
-    lengths_.push_back(one.path.length);
-    certified_.push_back(one.certified ? 1 : 0);
+inline auto paths_of(const HeldSurface& held, const std::vector<ExactPath>& paths) {
+  std::vector<double> lengths;
+  std::vector<Index> certified, over_gap;
+  std::vector<std::int64_t> begin{0};
+  std::vector<Point> positions;
+  PointColumns columns;
+  for (const ExactPath& one : paths) {
+    lengths.push_back(one.path.length);
+    certified.push_back(one.certified ? 1 : 0);
     for (const SurfacePoint& point : one.path.points) {
-      positions_.push_back(position_of(mesh, point));
-      columns_.add(mesh, point);
+      positions.push_back(position_of(held.mesh(), point));
+      columns.add(held.mesh(), point);
     }
-    for (const bool over : steps_over_gaps(mesh, one.path.points)) over_gap_.push_back(over ? 1 : 0);
-    begin_.push_back(static_cast<std::int64_t>(positions_.size()));
+    for (const bool over : steps_over_gaps(held.mesh(), one.path.points)) over_gap.push_back(over ? 1 : 0);
+    begin.push_back(static_cast<std::int64_t>(positions.size()));
   }
-  auto take() {
-    return std::tuple(std::move(lengths_), std::move(certified_), std::move(begin_), std::move(positions_),
-                      std::move(columns_), std::move(over_gap_));
-  }
-
- private:
-  std::vector<double> lengths_{};
-  std::vector<Index> certified_{}, over_gap_{};
-  std::vector<std::int64_t> begin_{0};
-  std::vector<Point> positions_{};
-  PointColumns columns_{};
-};
+  return std::tuple(std::move(lengths), std::move(certified), std::move(begin), std::move(positions),
+                    std::move(columns), std::move(over_gap));
+}
 
 /// What answered: by, seconds, index_seconds, remark, expected_error, unreached.
 using About = std::tuple<std::string, double, double, std::string, double, Index>;

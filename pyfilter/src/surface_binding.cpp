@@ -125,12 +125,8 @@ auto distances(const TaskOptions& how, const HeldSurface& self, const PointArray
 auto paths(const TaskOptions& how, const HeldSurface& self, const PointArrays& source,
            const PointArrays& target, bool exact, bool certify) {
   const PointList sources = self.points(source), targets = self.points(target);
-  PathArrays arrays;
-  for (const ExactPath& one :
-       self.surface->paths({sources, targets}, how.by, {exact, certify}, *how.answered, how.progress)) {
-    arrays.add(self.mesh(), one);
-  }
-  return arrays.take();
+  return paths_of(
+      self, self.surface->paths({sources, targets}, how.by, {exact, certify}, *how.answered, how.progress));
 }
 
 /// Narrows the corridors of certified paths from this call on. \return the memory that the landmarks take,

@@ -85,17 +85,13 @@ auto nearest(const TaskOptions& options, const HeldSurface& held, const PointArr
 template <auto task, class... Arguments>
 auto path_by(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
              Arguments... arguments) {
-  PathArrays arrays;
-  arrays.add(held.mesh(), task(*held.surface, held.points(points), arguments..., options));
-  return arrays.take();
+  return paths_of(held, {task(*held.surface, held.points(points), arguments..., options)});
 }
 
 /// `curve`: no points if there is none.
 auto loop_through(const TaskOptions& options, const HeldSurface& held, const PointArrays& point,
                   const PointArrays& curve) {
-  PathArrays arrays;
-  arrays.add(held.mesh(), shortest_loop(*held.surface, held.points(point)[0], held.points(curve), options));
-  return arrays.take();
+  return paths_of(held, {shortest_loop(*held.surface, held.points(point)[0], held.points(curve), options)});
 }
 
 /// Section and loop as paths, the normal, the tape and its length. (x, y, z): the normal, if it is given.
@@ -103,12 +99,21 @@ auto girth_at(const TaskOptions& options, const HeldSurface& held, const PointAr
               double y, double z, bool is_given) {
   auto found = girth(*held.surface, held.points(point)[0],
                      is_given ? std::optional(Point{x, y, z}) : std::nullopt, options);
-  PathArrays arrays;
-  arrays.add(held.mesh(), {std::move(found.section), false});
-  arrays.add(held.mesh(), {std::move(found.loop), false});
-  return std::tuple_cat(arrays.take(),
+  return std::tuple_cat(paths_of(held, {{std::move(found.section), false}, {std::move(found.loop), false}}),
                         std::tuple(std::vector<double>(found.normal.begin(), found.normal.end()),
                                    std::move(found.tape), found.tape_length));
+}
+
+auto along(const TaskOptions&, const HeldSurface& held, const PointArrays& path,
+           const ValueArray& fractions) {
+  return std::tuple(columns_of(held, points_along(held.mesh(), held.points(path), values_of(fractions))));
+}
+
+/// Points at most `spacing` apart; 0: a quarter of the typical edge.
+auto stepped(const TaskOptions&, const HeldSurface& held, const PointArrays& path, double spacing) {
+  const Mesh& mesh = held.mesh();
+  const double wanted = spacing > 0.0 ? spacing : 0.25 * mesh.typical_edge_length();
+  return std::tuple(columns_of(held, steps_along(mesh, held.points(path), wanted)));
 }
 
 auto profile_of(const TaskOptions&, const HeldSurface& held, const PointArrays& path, double x, double y,
@@ -120,12 +125,6 @@ auto profile_of(const TaskOptions&, const HeldSurface& held, const PointArrays& 
 }
 
 // ---- Regions, samplings, lines and measures
-
-PointColumns columns_of(const HeldSurface& held, const std::vector<SurfacePoint>& points) {
-  PointColumns columns;
-  for (const SurfacePoint& point : points) columns.add(held.mesh(), point);
-  return columns;
-}
 
 /// Regions and distances of vertices, regions of faces, areas, points and edges of borders, their regions.
 auto voronoi(const TaskOptions& options, const HeldSurface& held, const PointArrays& points) {
@@ -213,12 +212,10 @@ auto cut_along_lines(const TaskOptions& options, const HeldSurface& held, const 
 template <auto task>
 auto polygon_by(const TaskOptions& options, const HeldSurface& held, const PointArrays& points) {
   GeodesicPolygon found = task(*held.surface, held.points(points), options);
-  PathArrays legs;
-  for (const ExactPath& leg : found.legs) legs.add(held.mesh(), leg);
   return std::tuple_cat(
       std::tuple(found.area, found.perimeter, std::move(found.corners), std::move(found.angles),
                  found.curvature, found.gauss_bonnet, std::move(found.vertices), std::move(found.faces)),
-      legs.take());
+      paths_of(held, found.legs));
 }
 
 /// Columns: areas, lengths of borders, volumes.
@@ -325,30 +322,14 @@ auto line_ends(const TaskOptions& options, const HeldSurface& held, const PointA
   return std::tuple(std::move(columns), std::move(lengths));
 }
 
-// ---- Curves
-
-auto along(const TaskOptions&, const HeldSurface& held, const PointArrays& path,
-           const ValueArray& fractions) {
-  return std::tuple(columns_of(held, points_along(held.mesh(), held.points(path), values_of(fractions))));
-}
-
-/// Points at most `spacing` apart; 0: a quarter of the typical edge.
-auto stepped(const TaskOptions&, const HeldSurface& held, const PointArrays& path, double spacing) {
-  const Mesh& mesh = held.mesh();
-  const double wanted = spacing > 0.0 ? spacing : 0.25 * mesh.typical_edge_length();
-  return std::tuple(columns_of(held, steps_along(mesh, held.points(path), wanted)));
-}
-
 // ---- Means and clusters
 
 /// `power`: two for a mean, one for a median.
 auto centre(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
             const ValueArray& weights, int power) {
-  PointColumns columns;
-  columns.add(held.mesh(), centre_of(*held.surface, held.points(points), values_of(weights),
-                                     static_cast<Power>(power), options)
-                               .point);
-  return std::tuple(std::move(columns));
+  return std::tuple(columns_of(held, {centre_of(*held.surface, held.points(points), values_of(weights),
+                                                static_cast<Power>(power), options)
+                                          .point}));
 }
 
 auto medoid_of(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
