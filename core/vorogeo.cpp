@@ -504,14 +504,11 @@ Profile profile(const Surface& surface, const Path& path, const Point& up) {
 VoronoiRegions voronoi(const Surface& surface, const PointList& sites, const TaskOptions& options) {
   return ask(surface, options, [&](const Asked& at) {
     auto found = voronoi_regions(at.surface, at.in(sites), at.options);
-    VoronoiRegions regions;
-    regions.face_region = InputMap(at.mesh).of_faces(found.face_region, no_index);
-    regions.vertex_region = InputMap(at.mesh).of_vertices(std::move(found.vertex_region));
-    regions.distance = InputMap(at.mesh).of_vertices(std::move(found.distance));
-    regions.area = std::move(found.area);
-    regions.borders = {std::move(found.borders.points), std::move(found.borders.segments)};
-    regions.border_regions = std::move(found.border_regions);
-    return regions;
+    const InputMap map(at.mesh);
+    found.vertex_region = map.of_vertices(std::move(found.vertex_region));
+    found.distance = map.of_vertices(std::move(found.distance));
+    found.face_region = map.of_faces(found.face_region, no_index);
+    return found;
   });
 }
 
@@ -519,8 +516,7 @@ Isolines isolines(const Surface& surface, const std::vector<double>& field,
                   const std::vector<double>& levels) {
   return translated([&] {
     auto found = isolines(*surface.state().mesh, field, levels, Interpolation::distance);
-    return Isolines{{std::move(found.lines.points), std::move(found.lines.segments)},
-                    std::move(found.level_of_segment)};
+    return Isolines{std::move(found.lines), std::move(found.level_of_segment)};
   });
 }
 

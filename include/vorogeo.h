@@ -405,20 +405,7 @@ VOROGEO_API Girth girth(const Surface& surface, const SurfacePoint& point, const
 /// What lies along a path.
 VOROGEO_API Profile profile(const Surface& surface, const Path& path, const Point& up = {0.0, 0.0, 1.0});
 
-/// Polylines on a surface: each segment joins two of the points.
-struct SurfaceLines {
-  std::vector<Point> points;
-  std::vector<std::array<int, 2>> segments;
-};
-/// Geodesic Voronoi regions: positions in the list of sites, -1 where none can be reached.
-struct VoronoiRegions {
-  std::vector<int> vertex_region;
-  std::vector<double> distance;  ///< of each vertex from its site
-  std::vector<int> face_region;  ///< at the centre of each face
-  std::vector<double> area;      ///< of each region
-  SurfaceLines borders;
-  std::vector<std::array<int, 2>> border_regions;  ///< beside each segment
-};
+/// Geodesic Voronoi regions of sites.
 VOROGEO_API VoronoiRegions voronoi(const Surface& surface, const PointList& sites,
                                    const TaskOptions& options = {});
 

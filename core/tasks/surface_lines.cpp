@@ -17,13 +17,9 @@ namespace vorogeo {
 
 // ---- Points of lines, looked up by the element of the mesh on which they lie
 
-double SurfaceLines::length() const {
+double total_length(const SurfaceLines& lines) {
   double sum = 0.0;
-  for (const auto& [a, b] : segments) {
-    const Point& p = points[a];
-    const Point& q = points[b];
-    sum += std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
-  }
+  for (const auto& [a, b] : lines.segments) sum += distance_between(lines.points[b], lines.points[a]);
   return sum;
 }
 

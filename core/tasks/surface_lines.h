@@ -10,18 +10,13 @@
 #include <vector>
 
 #include "mesh/mesh.h"
+#include "vorogeo/results.h"
 
 namespace vorogeo {
 
 // ---- Polylines on a surface as points and segments, assembled face by face
 
-/// Polylines: each segment joins two points, which lie on the surface; segments of one line share points.
-struct SurfaceLines {
-  std::vector<Point> points;
-  std::vector<std::array<Index, 2>> segments;
-
-  double length() const;
-};
+double total_length(const SurfaceLines& lines);
 
 /// The numbers along each line that segments make, given in any order and direction: open lines from end to
 /// end, then closed ones from their least number round to it. `name`: of a number, for errors. \throw

@@ -89,18 +89,8 @@ class DividedFaces {
 
 // ---- Geodesic Voronoi regions of chosen points: labels, areas, and borders that cross the faces
 
-/// Regions are positions in the list of sites; no_index where no site can be reached.
-struct VoronoiRegions {
-  std::vector<Index> vertex_region;  ///< of the nearest site; of equally near ones, the first
-  std::vector<double> distance;      ///< of each vertex from its site
-  std::vector<Index> face_region;    ///< the region at the face's centre; see InputMap for split faces
-  std::vector<double> area;          ///< of each region, in the square of the mesh's unit
-  SurfaceLines borders;
-  /// The two regions at each segment of the borders, the smaller one first.
-  std::vector<std::array<Index, 2>> border_regions;
-};
-
-/// Regions of the sites. A site that repeats an earlier one owns nothing.
+/// Regions of the sites, by the vertices and faces of the mesh; see InputMap for those given. A site that
+/// repeats an earlier one owns nothing.
 ///
 /// In a face, the difference of the squares of two distances is interpolated linearly between the corners,
 /// which is exact on flat parts of the surface. A site owns the points at which its square is the least, so

@@ -49,6 +49,22 @@ struct Profile {
   std::vector<double> thickness;  ///< from the point against the normal to the next face; `unreachable`: none
 };
 
+/// Polylines on a surface: each segment joins two of the points, and segments of one line share points.
+struct SurfaceLines {
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<int, 2>> segments;
+};
+
+/// Geodesic Voronoi regions: positions in the list of sites, -1 where none can be reached.
+struct VoronoiRegions {
+  std::vector<int> vertex_region;  ///< of the nearest site; of equally near ones, the first
+  std::vector<double> distance;    ///< of each vertex from its site
+  std::vector<int> face_region;    ///< at the centre of each face
+  std::vector<double> area;        ///< of each region, in the square of the mesh's unit
+  SurfaceLines borders;
+  std::vector<std::array<int, 2>> border_regions;  ///< beside each segment, the smaller one first
+};
+
 /// What lies within a radius of the nearest of some sources.
 struct Disk {
   std::vector<int> vertices;     ///< ascending

@@ -85,7 +85,7 @@ Results color_voronoi_regions(FilterCall& call) {
   }
   color_faces(call, *layer, mesh, regions.face_region, coloring);
   call.log("Voronoi regions of " + std::to_string(points.size()) + " " + points.what +
-           "; their borders are " + logged_length(regions.borders.length()) + " long");
+           "; their borders are " + logged_length(total_length(regions.borders)) + " long");
   if (unreached > 0) {
     call.log("No path leads to " + std::to_string(unreached) +
              " vertices, in other components than the points; their quality is -1");
@@ -94,7 +94,7 @@ Results color_voronoi_regions(FilterCall& call) {
   results["vertices"] = as_vector(points.numbers);
   results["snap_distance"] = points.snap_distance;
   results["areas"] = as_vector(regions.area);
-  results["border_length"] = regions.borders.length();
+  results["border_length"] = total_length(regions.borders);
   results["unreachable_vertices"] = unreached;
   return results;
 }
@@ -123,13 +123,13 @@ Results draw_cut_locus(FilterCall& call) {
   add_polyline_layer(call.document, call.layer, "Cut locus", lines, locus.distance, true);
   call.log(of + (lines.segments.empty() ? "no line, as nowhere two shortest paths differ by this angle"
                                         : std::to_string(lines.segments.size()) + " segments, " +
-                                              logged_length(lines.length()) + " long in all"));
+                                              logged_length(total_length(lines)) + " long in all"));
   if (answered.unreached > 0) {
     call.log("No path leads to " + std::to_string(answered.unreached) +
              " vertices, in components without a source; they have no lines");
   }
   results["segments"] = static_cast<int>(lines.segments.size());
-  results["length"] = lines.length();
+  results["length"] = total_length(lines);
   results["unreachable_vertices"] = answered.unreached;
   results["snap_distance"] = sources.snap_distance;
   return results;
@@ -232,9 +232,9 @@ Results draw_isolines(FilterCall& call) {
   call.progress.report(1.0, "Isolines");
   add_polyline_layer(call.document, call.layer, "Isolines", found.lines, quality, true);
   call.log("Isolines: " + std::to_string(found.lines.segments.size()) + " segments, " +
-           logged_length(found.lines.length()) + " long in all");
+           logged_length(total_length(found.lines)) + " long in all");
   return {{"segments", static_cast<int>(found.lines.segments.size())},
-          {"length", found.lines.length()},
+          {"length", total_length(found.lines)},
           {"values", as_vector(values)}};
 }
 

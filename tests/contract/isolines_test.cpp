@@ -63,7 +63,7 @@ TEST(IsolinesContract, TheLineAroundAPointOfAPlaneIsACircle) {
   const Ask ask(test::plane_grid(40, 40, 2.0, 2.0, 0.2).soup);
   const Field field = ask.field({{vertex(41 * 20 + 20)}}, By::exact);
   const double circle = 2.0 * std::numbers::pi * 0.8;
-  const double length = ask.isolines(field.distance, {0.8}).lines.length();
+  const double length = total_length(ask.isolines(field.distance, {0.8}).lines);
   EXPECT_LT(length, circle);
   EXPECT_GT(length, 0.999 * circle);
 }
@@ -78,7 +78,7 @@ TEST(IsolinesContract, AFieldThatIsLinearHasStraightLines) {
     const Point& p = found.lines.points[i];
     EXPECT_NEAR(2.0 * p[0] - p[1], found.level_of_point[i] == 0 ? 1.1 : 2.5, 1e-12);
   }
-  EXPECT_NEAR(found.lines.length(), 2.0 * std::hypot(2.0, 1.0), 1e-9);  // each from y = 0 to y = 2
+  EXPECT_NEAR(total_length(found.lines), 2.0 * std::hypot(2.0, 1.0), 1e-9);  // each from y = 0 to y = 2
 }
 
 TEST(IsolinesContract, WhereTheFieldIsInfiniteThereIsNoLine) {

@@ -69,7 +69,7 @@ TEST(RegionsContract, TwoSitesHalveAPlaneAlongTheLineBetweenThem) {
     const Regions found = ask.regions(sites, by);
     EXPECT_NEAR(found.area[0], 1.0, 1e-9);
     EXPECT_NEAR(found.area[1], 1.0, 1e-9);
-    EXPECT_NEAR(found.borders.length(), 1.0, 1e-9);
+    EXPECT_NEAR(total_length(found.borders), 1.0, 1e-9);
     for (const Point& p : found.borders.points) EXPECT_NEAR(p[0], 1.0, 1e-9);
     for (const auto& pair : found.border_regions) EXPECT_EQ(pair, (std::array<Index, 2>{0, 1}));
     for (std::size_t f = 0; f < plane.soup.faces.size(); ++f) {

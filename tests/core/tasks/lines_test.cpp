@@ -27,7 +27,7 @@ TEST(Isolines, LevelsAtVerticesAndOutsideTheFieldMakeNoLooseEnds) {
   const Isolines found = isolines(*mesh, field, std::vector<double>{2.0, -1.0, 9.0}, Interpolation::linear);
   EXPECT_EQ(found.lines.points.size(), 5U);
   EXPECT_EQ(found.lines.segments.size(), 4U);
-  EXPECT_NEAR(found.lines.length(), 4.0, 1e-12);
+  EXPECT_NEAR(total_length(found.lines), 4.0, 1e-12);
 }
 
 TEST(Isolines, CrossingOfTheDistanceFromAPointBesideTheEdge) {

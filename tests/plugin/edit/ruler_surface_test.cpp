@@ -86,7 +86,7 @@ TEST(RulerSurface, AMatrixMeasuresInTheSceneAndKeepsPointsInTheLayer) {
   EXPECT_NEAR(value_of(path, Quantity::straight), expected, 1e-9);
   ASSERT_EQ(path.points.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(distance_between(path.points[i], ends[i]), 0.0, 1e-7);
-  EXPECT_NEAR(path.lines.lines.length(), distance_between(ends[0], ends[1]), 1e-9);
+  EXPECT_NEAR(total_length(path.lines.lines), distance_between(ends[0], ends[1]), 1e-9);
   EXPECT_NEAR(path.lines.along.back(), expected, 1e-9);
   // What is picked may be off by the tolerance in the scene, where this is twice as far.
   EXPECT_FALSE(surface.measure(MeasureKind::distance, picked({ends[0], {3.4, 2.7, 0.7e-6}})).is_on_surface);
@@ -172,7 +172,7 @@ TEST(RulerSurface, FieldsAndTheirIsolinesOfASphere) {
     // An inscribed polyhedron: shorter by about a third of a percent here.
     EXPECT_NEAR(field.largest, std::numbers::pi, 0.02);
     EXPECT_EQ(field.distances[0], 0.0);
-    const double length = field.isolines.length();
+    const double length = total_length(field.isolines);
     double expected = 0.0;
     for (double r : round_values(field.largest)) expected += 2.0 * std::numbers::pi * std::sin(r);
     EXPECT_NEAR(length, expected, 0.02 * expected);
@@ -242,7 +242,7 @@ TEST(RulerSurface, APathComesAsALineOfItsLength) {
   const RulerAnswer found =
       surface.measure(MeasureKind::distance, picked({{0.1, 0.1, 0.0}, {0.9, 0.7, 0.0}}));
   EXPECT_EQ(found.error, "");
-  EXPECT_NEAR(found.lines.lines.length(), 1.0, 1e-12);
+  EXPECT_NEAR(total_length(found.lines.lines), 1.0, 1e-12);
   EXPECT_NEAR(found.lines.along.back(), 1.0, 1e-12);
   EXPECT_GT(found.seconds, 0.0);
 }
@@ -286,7 +286,7 @@ TEST(RulerSurface, PathsThroughPointsGrowPointByPoint) {
     EXPECT_EQ(shown.values.empty(), count == 1);
     if (count == 1) continue;
     EXPECT_NEAR(value_of(shown, Quantity::length), lengths[count - 1], 1e-9);
-    EXPECT_NEAR(shown.lines.lines.length(), lengths[count - 1], 1e-9);
+    EXPECT_NEAR(total_length(shown.lines.lines), lengths[count - 1], 1e-9);
   }
   EXPECT_NEAR(value_of(surface.measure(MeasureKind::path, picked(points)), Quantity::length), 1.2, 1e-9);
   EXPECT_NE(surface.measure(MeasureKind::path, picked({points[0]})).error, "");
@@ -300,7 +300,7 @@ TEST(RulerSurface, PolygonsHaveAreaAndPerimeter) {
   const RulerAnswer found = surface.measure(MeasureKind::polygon, picked(points));
   EXPECT_NEAR(value_of(found, Quantity::area), 0.24, 1e-9);
   EXPECT_NEAR(value_of(found, Quantity::perimeter), 2.4, 1e-9);
-  EXPECT_NEAR(found.lines.lines.length(), 2.4, 1e-9);
+  EXPECT_NEAR(total_length(found.lines.lines), 2.4, 1e-9);
   EXPECT_NE(surface.measure(MeasureKind::polygon, picked({points[0], points[1]})).error.find("three points"),
             std::string::npos);
 }
