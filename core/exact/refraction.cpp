@@ -5,9 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
-#include <numeric>
-#include <tuple>
 #include <utility>
 
 #include "exact/edge_density.h"
