@@ -23,10 +23,6 @@ constexpr double gain_to_settle = 1e-9;
 /// How often a point is settled; in practice none is so often.
 constexpr std::uint8_t most_times = 100;
 
-/// In heights of a face of a thin fan: as far along its sides it is crossed at once. Beyond, a way along a
-/// side and then straight across is longer by less than a thousandth.
-constexpr double farthest_in_thin = 1e3;
-
 /// Of a piece: what the waves of two points may differ by between them.
 constexpr double spare = 0.1;
 
@@ -322,17 +318,7 @@ void WeightedSolver::cross_thin(Index halfedge, Index from) {
     const double other_shift = norms_->shift(side);
     // Towards larger x, along the other side.
     const double other_gain = (frame.apex_x > begin) == from_apex ? -other_shift : other_shift;
-    // Straight across, and as far along as what the way saves by being straight is more than rounding.
-    // Further points are reached along the sides.
-    auto fraction_beside = [&](double x) {
-      const double t = frame.apex_x != begin ? (x - begin) / (frame.apex_x - begin) : 0.0;
-      return std::clamp(from_apex ? 1.0 - t : t, 0.0, 1.0);
-    };
-    const double reach_along = farthest_in_thin * frame.apex_y;
-    const auto [nearest, farthest] =
-        std::minmax({norms_->point_before(other, fraction_beside(at - reach_along)),
-                     norms_->point_before(other, fraction_beside(at + reach_along))});
-    for (Index k = nearest; k <= std::min(farthest + 1, last); ++k) {
+    for (Index k = 0; k <= last; ++k) {
       const double along = norms_->fraction(other, k);
       const double t = from_apex ? 1.0 - along : along;
       const double x = std::lerp(begin, frame.apex_x, t);
