@@ -17,6 +17,8 @@ namespace {
 
 /// What is seen over a face is kept where it is smaller than this part of what is known there.
 constexpr double much_smaller = 0.7;
+/// Of an edge. Among needles of any thinness, there are as many features as the edge has no points for.
+constexpr std::size_t most_knots = 32;
 
 /// The distance of the apex of a face from a side, and where it is next to it: in the side's least cost.
 FeatureSizes::Knot apex_of(const EdgeFrame& frame, double cost) {
@@ -42,20 +44,31 @@ FeatureSizes::FeatureSizes(const FaceNorms& norms)
     Knot knot = apex_of(norms.frame(h), norms.edge_cost(mesh.edge_of(h)));
     knot.size += size_at_[mesh.apex(h)];
     spread(h, knot);
-    // This ends: each time, what is known at some place of an edge becomes smaller by a part.
-    while (!waiting_.empty()) {
-      const Spread next = waiting_.back();
-      waiting_.pop_back();
-      cross(next);
-    }
   }
+  // The smallest first: what is kept makes no later one smaller.
+  for (Index looked_at = 0; !offers_.empty(); ++looked_at) {
+    if (looked_at % elements_per_checkpoint == 0) checkpoint();
+    const Offer next = offers_.top();
+    offers_.pop();
+    const Index edge = mesh.edge_of(next.halfedge);
+    if (is_known(edge, next.knot)) continue;
+    links_.push_back({next.knot, first_[edge]});
+    first_[edge] = static_cast<Index>(links_.size()) - 1;
+    spread(next.halfedge, next.knot);
+  }
+}
+
+std::array<FeatureSizes::Knot, 2> FeatureSizes::knots_at_ends(Index edge) const {
+  const double cost = norms_.edge_cost(edge);
+  const auto [a, b] = norms_.mesh().edge_vertices(edge);
+  return {Knot{0.0, std::min(size_at_[a], cost)}, Knot{cost, std::min(size_at_[b], cost)}};
 }
 
 void FeatureSizes::find_knots(Index edge, std::vector<Knot>& knots) const {
   const Mesh& mesh = norms_.mesh();
   const double cost = norms_.edge_cost(edge);
-  const auto [a, b] = mesh.edge_vertices(edge);
-  knots.assign({{0.0, std::min(size_at_[a], cost)}, {cost, std::min(size_at_[b], cost)}});
+  const auto ends = knots_at_ends(edge);
+  knots.assign(ends.begin(), ends.end());
   mesh.for_each_halfedge(edge, [&](Index h) {
     const auto [at, away] = apex_of(norms_.frame(h), cost);
     knots.push_back({at, away + std::min(size_at_[mesh.apex(h)], cost)});
@@ -64,22 +77,31 @@ void FeatureSizes::find_knots(Index edge, std::vector<Knot>& knots) const {
     knots.push_back(links_[link].knot);
 }
 
-/// From a place of an edge into its faces but the one of this half-edge.
-void FeatureSizes::spread(Index halfedge, const Knot& knot) {
-  const Mesh& mesh = norms_.mesh();
-  for (Index h = mesh.next_around_edge(halfedge); h != halfedge; h = mesh.next_around_edge(h))
-    waiting_.push_back({h, knot});
+bool FeatureSizes::is_known(Index edge, const Knot& knot) {
+  const auto makes_no_difference = [&](const Knot& known) {
+    return !(knot.size < much_smaller * known.size_at(knot.at));
+  };
+  // True of nearly all where faces are about as wide as long.
+  if (std::ranges::any_of(knots_at_ends(edge), makes_no_difference)) return true;
+  find_knots(edge, known_);
+  return known_.size() >= most_knots || std::ranges::any_of(known_, makes_no_difference);
 }
 
-void FeatureSizes::cross(const Spread& from) {
+/// From a place of an edge over its faces, but the one of this half-edge, to their other sides.
+void FeatureSizes::spread(Index halfedge, const Knot& knot) {
   const Mesh& mesh = norms_.mesh();
-  const EdgeFrame frame = norms_.frame(from.halfedge);
-  const double own_cost = norms_.edge_cost(mesh.edge_of(from.halfedge));
-  const double x = own_cost > 0.0 ? from.knot.at / own_cost * frame.length : 0.0;
+  for (Index h = mesh.next_around_edge(halfedge); h != halfedge; h = mesh.next_around_edge(h)) cross(h, knot);
+}
+
+void FeatureSizes::cross(Index halfedge, const Knot& knot) {
+  const Mesh& mesh = norms_.mesh();
+  const EdgeFrame frame = norms_.frame(halfedge);
+  const double own_cost = norms_.edge_cost(mesh.edge_of(halfedge));
+  const double x = own_cost > 0.0 ? knot.at / own_cost * frame.length : 0.0;
   for (const bool second : {false, true}) {
     const double base = second ? frame.length : 0.0;
     const Index side =
-        second == frame.along ? Mesh::next_in_face(from.halfedge) : Mesh::previous_in_face(from.halfedge);
+        second == frame.along ? Mesh::next_in_face(halfedge) : Mesh::previous_in_face(halfedge);
     const Index edge = mesh.edge_of(side);
     const double cost = norms_.edge_cost(edge);
     if (!(cost > 0.0)) continue;
@@ -88,26 +110,10 @@ void FeatureSizes::cross(const Spread& from) {
     const double t = square > 0.0 ? std::clamp((x - base) * way[0] / square, 0.0, 1.0) : 0.0;
     const double apart = std::hypot(base + t * way[0] - x, t * way[1]);
     const double scale = square > 0.0 ? cost / std::sqrt(square) : 1.0;
-    const bool from_apex = mesh.edge_vertices(edge)[0] == mesh.apex(from.halfedge);
-    offer(side, {(from_apex ? 1.0 - t : t) * cost, from.knot.size + scale * apart});
+    const bool from_apex = mesh.edge_vertices(edge)[0] == mesh.apex(halfedge);
+    const Knot seen{(from_apex ? 1.0 - t : t) * cost, knot.size + scale * apart};
+    if (!is_known(edge, seen)) offers_.push({side, seen});
   }
-}
-
-/// Keeps what came over the face of a half-edge if it makes a difference.
-void FeatureSizes::offer(Index halfedge, const Knot& knot) {
-  const Index edge = norms_.mesh().edge_of(halfedge);
-  const double cost = norms_.edge_cost(edge);
-  auto is_known = [&](const Knot& known) {
-    return !(knot.size < much_smaller * (known.size + std::abs(knot.at - known.at)));
-  };
-  const auto [a, b] = norms_.mesh().edge_vertices(edge);
-  // True of nearly all where faces are about as wide as long.
-  if (is_known({0.0, std::min(size_at_[a], cost)}) || is_known({cost, std::min(size_at_[b], cost)})) return;
-  find_knots(edge, known_);
-  if (std::ranges::any_of(known_, is_known)) return;
-  links_.push_back({knot, first_[edge]});
-  first_[edge] = static_cast<Index>(links_.size()) - 1;
-  spread(halfedge, knot);
 }
 
 // ---- The integral of the density along an edge, and its inverse
@@ -121,13 +127,12 @@ double reach(const FeatureSizes::Knot& from, double sum) { return from.size * st
 
 }  // namespace
 
-void EdgeDensity::limit(Knot& knot, const Knot& beside) {
-  knot.size = std::min(knot.size, beside.size + std::abs(knot.at - beside.at));
-}
-
 void EdgeDensity::set(std::span<const Knot> knots) {
   knots_.assign(knots.begin(), knots.end());
   std::ranges::stable_sort(knots_, {}, &Knot::at);
+  const auto limit = [&](Knot& knot, const Knot& beside) {
+    knot.size = std::min(knot.size, beside.size_at(knot.at));
+  };
   for (std::size_t i = 1; i < knots_.size(); ++i) limit(knots_[i], knots_[i - 1]);
   for (std::size_t i = knots_.size() - 1; i-- > 0;) limit(knots_[i], knots_[i + 1]);
   until_.assign(1, 0.0);
@@ -143,10 +148,11 @@ void EdgeDensity::set(std::span<const Knot> knots) {
 
 double EdgeDensity::place(double share) const {
   const double sum = share * total();
-  std::size_t i = 1;
-  while (i + 1 < knots_.size() && sum > until_[2 * i]) ++i;
-  return sum <= until_[2 * i - 1] ? knots_[i - 1].at + reach(knots_[i - 1], sum - until_[2 * i - 2])
-                                  : knots_[i].at - reach(knots_[i], until_[2 * i] - sum);
+  // Half of what lies between two knots counts from the one, half from the other.
+  const auto until = std::ranges::lower_bound(until_.begin() + 1, until_.end() - 1, sum);
+  const auto half = static_cast<std::size_t>(until - until_.begin()) - 1;
+  const Knot& knot = knots_[(half + 1) / 2];
+  return half % 2 == 0 ? knot.at + reach(knot, sum - until_[half]) : knot.at - reach(knot, *until - sum);
 }
 
 }  // namespace vorogeo

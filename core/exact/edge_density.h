@@ -2,6 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <functional>
+#include <queue>
 #include <span>
 #include <vector>
 
@@ -21,6 +24,8 @@ class FeatureSizes {
   struct Knot {
     double at;
     double size;
+    /// At another place.
+    double size_at(double place) const { return size + std::abs(place - at); }
   };
 
   explicit FeatureSizes(const FaceNorms& norms);
@@ -30,24 +35,27 @@ class FeatureSizes {
   void find_knots(Index edge, std::vector<Knot>& knots) const;
 
  private:
-  struct Spread {
-    Index halfedge;  ///< whose face is entered
+  struct Offer {
+    Index halfedge;  ///< of the edge, in the face it came over
     Knot knot;
+    bool operator>(const Offer& other) const { return knot.size > other.knot.size; }
   };
   struct Link {
     Knot knot;
     Index next;
   };
 
-  void cross(const Spread& from);
-  void offer(Index halfedge, const Knot& knot);
+  std::array<Knot, 2> knots_at_ends(Index edge) const;
+  /// Whether a knot would make no difference, or the edge has many.
+  bool is_known(Index edge, const Knot& knot);
   void spread(Index halfedge, const Knot& knot);
+  void cross(Index halfedge, const Knot& knot);
 
   const FaceNorms& norms_;
   std::vector<double> size_at_;  ///< by vertex
   std::vector<Index> first_;     ///< by edge: the first link of what came over other faces
   std::vector<Link> links_;
-  std::vector<Spread> waiting_;
+  std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers_;
   std::vector<Knot> known_;
 };
 
@@ -64,8 +72,6 @@ class EdgeDensity {
   double place(double share) const;
 
  private:
-  static void limit(Knot& knot, const Knot& beside);
-
   std::vector<Knot> knots_;
   std::vector<double> until_;  ///< up to each knot, and between them
 };

@@ -37,15 +37,15 @@ struct EdgeFrame {
 /// The faces of a mesh laid into the plane, each by its own sides, on which the two faces of an edge may
 /// disagree; along an edge, the cheaper face counts.
 ///
-/// Each edge holds points, which are dense near small faces.
+/// Each edge holds points, which are dense near small features.
 /// Points are numbered: first the vertices, then those of the edges, from the edge's first vertex on.
 class FaceNorms {
  public:
   using Place = std::array<double, 2>;
   static double apart(const Place& a, const Place& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
 
-  /// `points_per_edge`: on the usual edge of a scan. \throw InvalidInput for lengths outside `exact_lengths`,
-  /// or too many points.
+  /// `points_per_edge`: on an edge between well-shaped faces. \throw InvalidInput for lengths outside
+  /// `exact_lengths`, or too many points.
   FaceNorms(std::shared_ptr<const Mesh> mesh, Index points_per_edge);
 
   const Mesh& mesh() const { return *mesh_; }

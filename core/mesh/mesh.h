@@ -63,8 +63,8 @@ struct FaceSplits {
   bool empty() const { return middle_of.empty(); }
 };
 
-/// Points on an edge of a scan in a metric that jumps, from which faces are crossed (core/exact): errors fall
-/// with the square of their number or faster.
+/// Points on an edge between well-shaped faces where a metric jumps, from which faces are crossed
+/// (core/exact): errors fall with the square of their number or faster.
 inline constexpr Index usual_edge_points = 6;
 
 /// How long the sides of faces are, if not as long as in space.

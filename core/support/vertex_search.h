@@ -2,12 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <queue>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "support/distance_queue.h"
 #include "support/progress.h"
 #include "support/types.h"
 
@@ -21,42 +20,37 @@ class VertexSearch {
       : VertexSearch(std::vector<double>(vertices, unreachable), sources) {}
   /// Only where sources are nearer than these distances.
   VertexSearch(std::vector<double> distances, std::span<const Index> sources)
-      : distance_(std::move(distances)), settled_(distance_.size(), 0) {
+      : distance_(std::move(distances)), settled_(distance_.size(), 0), queue_(distance_.size()) {
     for (Index source : sources) lower(source, 0.0);
   }
 
   /// The next vertex, whose distance is final; no_index at the end. \throw Cancelled.
   Index settle_next() {
-    while (!queue_.empty()) {
-      const Index vertex = queue_.top().second;
-      queue_.pop();
-      if (is_settled(vertex)) continue;
-      settled_[vertex] = 1;
-      if (++settled_count_ % elements_per_checkpoint == 0) checkpoint();
-      return vertex;
-    }
-    return no_index;
+    if (queue_.empty()) return no_index;
+    const Index vertex = queue_.first().number;
+    queue_.pop();
+    settled_[vertex] = 1;
+    if (++settled_count_ % elements_per_checkpoint == 0) checkpoint();
+    return vertex;
   }
   /// Offers a vertex a distance, which it takes if it is less than its own. \pre It is not settled, or the
   /// distance is no less than its own.
   void lower(Index vertex, double distance) {
     if (!(distance < distance_[vertex])) return;
     distance_[vertex] = distance;
-    queue_.push({distance, vertex});
+    queue_.push(vertex, distance);
   }
   bool is_settled(Index vertex) const { return settled_[vertex] != 0; }
   double distance(Index vertex) const { return distance_[vertex]; }
   /// Of vertices that are not settled: upper bounds.
   const std::vector<double>& distances() const { return distance_; }
 
-  static constexpr std::size_t bytes_per_vertex = sizeof(double) + sizeof(std::uint8_t);
+  static constexpr std::size_t bytes_per_vertex = sizeof(double) + sizeof(std::uint8_t) + sizeof(Index);
 
  private:
-  using Item = std::pair<double, Index>;
-
   std::vector<double> distance_;
   std::vector<std::uint8_t> settled_;
-  std::priority_queue<Item, std::vector<Item>, std::greater<>> queue_;
+  DistanceQueue queue_;
   Index settled_count_ = 0;
 };
 

@@ -368,7 +368,7 @@ std::array<double, 3> centre_weights(const Mesh& mesh, Index face) {
 /// site's own field is near the field of all, the site of that.
 void label_vertices(const Candidates& candidates, VoronoiRegions& regions) {
   for (Index v = 0; v < static_cast<Index>(regions.vertex_region.size()); ++v) {
-    if (candidates.at(v).empty() && candidates.distance[v] < unreachable) {
+    if (candidates.at(v).empty()) {
       regions.distance[v] = candidates.distance[v];
       regions.vertex_region[v] = candidates.nearest[v];
     }

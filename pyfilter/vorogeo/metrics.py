@@ -174,7 +174,7 @@ class FaceCost:
         Above 0: COST per unit of length, not speed. Along an edge the cheaper of its faces counts. Infinite: no path
         enters the face, but it may go along its edges with others.
     points : int, default 6
-        Points on an edge of a scan, 1 to 1000, from which faces are crossed; edges beside something small have more.
+        Points on an edge between well-shaped faces, 1 to 1000, from which faces are crossed; others may have more.
         Errors fall with its square or faster, time grows with it.
 
     Notes
