@@ -96,8 +96,28 @@ void ExactSolver::State::take(Index item, double front) {
     take_vertex(item);
     if (distances_only && !was_taken) close_edges_at(item);
   } else {
-    take_edge(item - mesh.vertex_count());
+    Index edge = item - mesh.vertex_count();
+    while (queue.is_crowded()) {
+      const Index before = due_before(edge);
+      if (before == no_index) break;
+      queue.take_before(mesh.vertex_count() + before, mesh.vertex_count() + edge);
+      edge = before;
+    }
+    take_edge(edge);
   }
+}
+
+Index ExactSolver::State::due_before(Index edge) const {
+  Index crossed = no_index;
+  for (const Window& window : envelope.new_windows(edge)) {
+    if (window.is_propagated() || window.came_from == crossed) continue;
+    crossed = window.came_from;
+    for (const Index side : {Mesh::next_in_face(crossed), Mesh::previous_in_face(crossed)}) {
+      const Index other = mesh.edge_of(side);
+      if (other != edge && queue.is_due(mesh.vertex_count() + other)) return other;
+    }
+  }
+  return no_index;
 }
 
 void ExactSolver::State::announce(Index vertex) {

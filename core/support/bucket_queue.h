@@ -20,6 +20,9 @@ namespace vorogeo {
 /// needles, those that come later are taken in the order of their keys. So are late items, whose key lies in
 /// a bucket that the queue has left: they come first.
 ///
+/// In such a crowd, where each item taken adds to the next ones, the caller may know better, and have others
+/// that are due taken before an item.
+///
 /// No item can be lost: a push that lowers the bucket of an item adds an entry with this bucket, an entry
 /// leaves only when it is taken, and it is passed over only if its bucket, or its key in the heap, is not the
 /// item's any more, which then has another entry. None can be overtaken by lower_bound() or least_key(): the
@@ -52,7 +55,7 @@ class BucketQueue {
     const bool is_current = bucket == wheel_.current();
     const std::int64_t known = bucket_of_[item];
     // Among sorted items, one whose key has become lower is added once more.
-    if (known < bucket || (known == bucket && !is_late && !(is_current && is_sorted()))) return;
+    if (known < bucket || (known == bucket && !is_late && !(is_current && is_crowded()))) return;
     lower_bound_ = std::min(lower_bound_, key);
     const std::int32_t taken = is_current ? taken_in_current(known) : 0;
     if (taken == max_taken) returned_ = std::max(returned_, max_returned);
@@ -69,6 +72,12 @@ class BucketQueue {
   /// The next item of a bucket that begins below `limit`, or a late one with a key below it; no_index if
   /// there is none.
   Index pop(double limit = unreachable) {
+    if (!put_off_.empty()) {
+      const Index item = put_off_.back();
+      put_off_.pop_back();
+      forget(item);
+      return item;
+    }
     for (;;) {
       if (!sorted_.empty() && (is_late(sorted_.front()) || !wheel_.has_current())) {
         // No entry of the wheel has a lower key, or all that have are in later buckets.
@@ -78,8 +87,7 @@ class BucketQueue {
         std::pop_heap(sorted_.begin(), sorted_.end());
         sorted_.pop_back();
         if (!is_queued) continue;
-        sorted_key_[first.item] = unreachable;
-        bucket_of_[first.item] = not_queued(max_taken);
+        forget(first.item);
         lower_bound_ = std::min(first.key, least_in(wheel_.current()));
         return first.item;
       }
@@ -99,6 +107,17 @@ class BucketQueue {
     }
   }
 
+  /// Whether items of the current bucket have brought so many back that these are sorted.
+  bool is_crowded() const { return returned_ > max_returned; }
+  /// Whether an item waits in the current bucket, or is late.
+  bool is_due(Index item) const { return bucket_of_[item] <= wheel_.current(); }
+  /// Takes an item that is due in place of one that was taken: that is taken again next, but for what is put
+  /// before it then.
+  void take_before(Index due, Index taken) {
+    put_off_.push_back(taken);
+    forget(due);
+  }
+
   /// A lower bound of the key of the item taken last and of all that have been in the queue since.
   double lower_bound() const { return lower_bound_; }
 
@@ -108,13 +127,15 @@ class BucketQueue {
       std::pop_heap(sorted_.begin(), sorted_.end());
       sorted_.pop_back();
     }
+    if (!put_off_.empty()) return lower_bound_;
     const double of_sorted = sorted_.empty() ? unreachable : sorted_.front().key;
     return wheel_.empty() ? of_sorted : std::min(of_sorted, least_in(wheel_.least_bucket()));
   }
 
   std::size_t memory_bytes() const {
     return bucket_of_.capacity() * sizeof(std::int64_t) + wheel_.memory_bytes() +
-           sorted_.capacity() * sizeof(Sorted) + sorted_key_.capacity() * sizeof(double);
+           sorted_.capacity() * sizeof(Sorted) + sorted_key_.capacity() * sizeof(double) +
+           put_off_.capacity() * sizeof(Index);
   }
 
   void clear() {
@@ -124,6 +145,7 @@ class BucketQueue {
       sorted_key_[entry.item] = unreachable;
     }
     sorted_.clear();
+    put_off_.clear();
     ++epoch_;
     returned_ = 0;
     lower_bound_ = 0.0;
@@ -161,6 +183,12 @@ class BucketQueue {
     }
   };
 
+  /// Its entries stay behind, and are passed over.
+  void forget(Index item) {
+    if (!sorted_key_.empty()) sorted_key_[item] = unreachable;
+    bucket_of_[item] = not_queued(max_taken);
+  }
+
   /// The key with which an item is in the heap; infinity if it is not.
   double sorted_key(Index item) const { return sorted_key_.empty() ? unreachable : sorted_key_[item]; }
   void add_sorted(Index item, double key) {
@@ -175,7 +203,6 @@ class BucketQueue {
     return sorted_key_[entry.item] == entry.key && bucket_of_[entry.item] == bucket_at(entry.key);
   }
 
-  bool is_sorted() const { return returned_ > max_returned; }
   bool is_late(const Sorted& entry) const { return bucket_at(entry.key) < wheel_.current(); }
 
   double begin_of(std::int64_t bucket) const { return static_cast<double>(bucket) * width_; }
@@ -189,6 +216,7 @@ class BucketQueue {
   std::vector<Sorted>
       sorted_;  ///< a heap of late items and, where many returned to the current bucket, of these
   std::vector<double> sorted_key_;  ///< by item; empty until one is sorted
+  std::vector<Index> put_off_;      ///< taken, but for what comes before them: the last is taken first
   std::size_t returned_ = 0;        ///< items pushed into the current bucket since it became current
   std::int64_t epoch_ = 0;          ///< grows with each bucket that becomes current and each clearing
   double lower_bound_ = 0.0;

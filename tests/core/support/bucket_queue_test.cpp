@@ -272,5 +272,29 @@ TEST(BucketQueue, AWidthOfZeroAndHugeKeysDoNoHarm) {
   EXPECT_EQ(queue.pop(), no_index);
 }
 
+TEST(BucketQueue, ItemsThatAreDueMayBeTakenBeforeOneThatWasTaken) {
+  BucketQueue queue;
+  queue.resize(10);
+  queue.reset(1.0);
+  queue.push(0, 0.5);
+  queue.push(1, 0.7);
+  queue.push(2, 0.8);
+  queue.push(3, 1.5);
+  ASSERT_EQ(queue.pop(), 2);
+  EXPECT_TRUE(queue.is_due(0));
+  EXPECT_FALSE(queue.is_due(3));
+  queue.take_before(0, 2);
+  queue.take_before(1, 0);
+  EXPECT_FALSE(queue.is_due(0));
+  EXPECT_FALSE(queue.is_due(1));
+  EXPECT_LE(queue.least_key(), 0.5);
+  // What is added to an item that was put off does not bring it back twice.
+  queue.push(0, 0.6);
+  EXPECT_EQ(queue.pop(), 0);
+  EXPECT_EQ(queue.pop(0.0), 2);
+  EXPECT_EQ(queue.pop(), 3);
+  EXPECT_EQ(queue.pop(), no_index);
+}
+
 }  // namespace
 }  // namespace vorogeo
