@@ -17,7 +17,8 @@ namespace {
 
 /// What is seen over a face is kept where it is smaller than this part of what is known there.
 constexpr double much_smaller = 0.7;
-/// Of an edge. Among needles of any thinness, there are as many features as the edge has no points for.
+/// Where an edge has as many knots, no more are kept: among needles, there may be far more features than it
+/// has points.
 constexpr std::size_t most_knots = 32;
 
 /// The distance of the apex of a face from a side, and where it is next to it: in the side's least cost.
@@ -45,7 +46,7 @@ FeatureSizes::FeatureSizes(const FaceNorms& norms)
     knot.size += size_at_[mesh.apex(h)];
     spread(h, knot);
   }
-  // The smallest first: what is kept makes no later one smaller.
+  // The smallest first: none that comes later is smaller, so what is kept stays needed.
   for (Index looked_at = 0; !offers_.empty(); ++looked_at) {
     if (looked_at % elements_per_checkpoint == 0) checkpoint();
     const Offer next = offers_.top();

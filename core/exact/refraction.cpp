@@ -30,8 +30,8 @@ constexpr double very_different_cost = 10.0;
 /// Faces of a seam or at a T-junction, behind which waves should stay smooth.
 constexpr std::size_t small_fan = 8;
 
-/// The integral of the density along an edge that has as many points as asked for: .9 between equilateral
-/// faces, 1.5 in the mean over scans.
+/// The integral of the density along an edge that has as many points as asked for. It is .9 between
+/// equilateral faces, and 1.5 in the mean over scans.
 constexpr double usual_weight = 1.2;
 /// No edge has fewer points than this part of the usual ones, nor all in the mean more than so many times
 /// these.

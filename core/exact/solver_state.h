@@ -182,9 +182,9 @@ struct ExactSolver::State {
   static constexpr int items_per_report = 4096;
   /// Propagates an item of the queue. `front`: no distance below it is still to be propagated.
   void take(Index item, double front);
-  /// A side, of a face that new windows of an edge came through, whose own are still to come through it: the
-  /// edge is better taken after it, with both together. Without this, n windows that pass n needles one after
-  /// another meet each needle one by one. no_index if there is none.
+  /// A side that is due, of a face that new windows of an edge came through: its windows may be about to come
+  /// through it too, so the edge is better taken after it, with both together. Without this, n windows that
+  /// pass n needles one after another meet each needle one by one. no_index if there is none.
   Index due_before(Index edge) const;
   void take_vertex(Index vertex);
   /// \pre It was reached.

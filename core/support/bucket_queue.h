@@ -20,14 +20,16 @@ namespace vorogeo {
 /// needles, those that come later are taken in the order of their keys. So are late items, whose key lies in
 /// a bucket that the queue has left: they come first.
 ///
-/// In such a crowd, where each item taken adds to the next ones, the caller may know better, and have others
-/// that are due taken before an item.
+/// In such a crowd, where each item taken adds to the next ones, the caller may know better, and take others
+/// that are due before an item. That is put off: it waits on a stack, which is emptied before anything else
+/// is taken and before the bucket changes. lower_bound() does not rise until then, so it bounds these items
+/// too.
 ///
 /// No item can be lost: a push that lowers the bucket of an item adds an entry with this bucket, an entry
 /// leaves only when it is taken, and it is passed over only if its bucket, or its key in the heap, is not the
-/// item's any more, which then has another entry. None can be overtaken by lower_bound() or least_key(): the
-/// wheel never passes an entry, the heap has the late items with their true keys, and entries that are passed
-/// over can only make these bounds lower.
+/// item's any more, which then has another entry, or was taken. None can be overtaken by lower_bound() or
+/// least_key(): the wheel never passes an entry, the heap has the late items with their true keys, and
+/// entries that are passed over can only make these bounds lower.
 class BucketQueue {
  public:
   void resize(std::size_t count) {
@@ -69,8 +71,8 @@ class BucketQueue {
     bucket_of_[item] = bucket;
   }
 
-  /// The next item of a bucket that begins below `limit`, or a late one with a key below it; no_index if
-  /// there is none.
+  /// What was put off last, whatever the limit; else the next item of a bucket that begins below `limit`, or
+  /// a late one with a key below it; no_index if there is none.
   Index pop(double limit = unreachable) {
     if (!put_off_.empty()) {
       const Index item = put_off_.back();
@@ -111,8 +113,8 @@ class BucketQueue {
   bool is_crowded() const { return returned_ > max_returned; }
   /// Whether an item waits in the current bucket, or is late.
   bool is_due(Index item) const { return bucket_of_[item] <= wheel_.current(); }
-  /// Takes an item that is due in place of one that was taken: that is taken again next, but for what is put
-  /// before it then.
+  /// Takes `due` instead of `taken`, the item taken last, which pop() returns next unless others are put
+  /// before it. \pre is_due(due).
   void take_before(Index due, Index taken) {
     put_off_.push_back(taken);
     forget(due);
@@ -183,7 +185,7 @@ class BucketQueue {
     }
   };
 
-  /// Its entries stay behind, and are passed over.
+  /// Its entries stay behind, and are passed over, or take it out of order if it comes back to their bucket.
   void forget(Index item) {
     if (!sorted_key_.empty()) sorted_key_[item] = unreachable;
     bucket_of_[item] = not_queued(max_taken);
@@ -216,7 +218,7 @@ class BucketQueue {
   std::vector<Sorted>
       sorted_;  ///< a heap of late items and, where many returned to the current bucket, of these
   std::vector<double> sorted_key_;  ///< by item; empty until one is sorted
-  std::vector<Index> put_off_;      ///< taken, but for what comes before them: the last is taken first
+  std::vector<Index> put_off_;      ///< the last comes first; some may be queued as well, or here twice
   std::size_t returned_ = 0;        ///< items pushed into the current bucket since it became current
   std::int64_t epoch_ = 0;          ///< grows with each bucket that becomes current and each clearing
   double lower_bound_ = 0.0;
