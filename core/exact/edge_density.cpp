@@ -131,7 +131,7 @@ double reach(const FeatureSizes::Knot& from, double sum) { return from.size * st
 void EdgeDensity::set(std::span<const Knot> knots) {
   knots_.assign(knots.begin(), knots.end());
   std::ranges::stable_sort(knots_, {}, &Knot::at);
-  const auto limit = [&](Knot& knot, const Knot& beside) {
+  const auto limit = [](Knot& knot, const Knot& beside) {
     knot.size = std::min(knot.size, beside.size_at(knot.at));
   };
   for (std::size_t i = 1; i < knots_.size(); ++i) limit(knots_[i], knots_[i - 1]);

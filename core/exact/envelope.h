@@ -101,10 +101,6 @@ class WindowEnvelope {
     const List& list = lists_[edge];
     return {list.first + list.new_begin, list.new_end - list.new_begin};
   }
-  std::span<const Window> new_windows(Index edge) const {
-    const List& list = lists_[edge];
-    return {list.first + list.new_begin, list.new_end - list.new_begin};
-  }
   void take_new(Index edge) { lists_[edge].new_begin = lists_[edge].new_end = 0; }
 
   /// Overlaps that are regarded as rounding of a shared end and not compared: those up to `at_begin` (a

@@ -107,7 +107,7 @@ void ExactSolver::State::take(Index item, double front) {
   }
 }
 
-Index ExactSolver::State::due_before(Index edge) const {
+Index ExactSolver::State::due_before(Index edge) {
   Index crossed = no_index;
   for (const Window& window : envelope.new_windows(edge)) {
     if (window.is_propagated() || window.came_from == crossed) continue;

@@ -185,7 +185,7 @@ struct ExactSolver::State {
   /// A side that is due, of a face that new windows of an edge came through: its windows may be about to come
   /// through it too, so the edge is better taken after it, with both together. Without this, n windows that
   /// pass n needles one after another meet each needle one by one. no_index if there is none.
-  Index due_before(Index edge) const;
+  Index due_before(Index edge);
   void take_vertex(Index vertex);
   /// \pre It was reached.
   bool is_source(Index vertex) const {

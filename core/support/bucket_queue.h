@@ -125,11 +125,11 @@ class BucketQueue {
 
   /// A lower bound of all keys in the queue; infinity if it is empty.
   double least_key() {
+    if (!put_off_.empty()) return lower_bound_;  // which has not risen since
     while (!sorted_.empty() && !is_queued_as(sorted_.front())) {
       std::pop_heap(sorted_.begin(), sorted_.end());
       sorted_.pop_back();
     }
-    if (!put_off_.empty()) return lower_bound_;
     const double of_sorted = sorted_.empty() ? unreachable : sorted_.front().key;
     return wheel_.empty() ? of_sorted : std::min(of_sorted, least_in(wheel_.least_bucket()));
   }

@@ -60,6 +60,7 @@ TEST(ExactGeometry, NeedlesWhoseRoundedSidesContradictEachOtherKeepTheLengthOfTh
   std::mt19937 random(seed);
   for (int trial = 0; trial < 1000; ++trial) {
     const double shortest = std::pow(10.0, std::uniform_real_distribution(-9.0, -2.0)(random));
+    // The longest stays below 1, from where on a last digit is twice as large.
     const double middle = std::uniform_real_distribution(0.5, 0.98)(random);
     // As long as both together, but for the last digit.
     const double longest = std::nextafter(shortest + middle, trial % 2 == 0 ? 0.0 : 2.0);
