@@ -6,6 +6,7 @@
 #include <functional>
 #include <queue>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "exact/refraction.h"
@@ -38,7 +39,11 @@ class FeatureSizes {
   struct Offer {
     Index halfedge;  ///< of the edge, in the face it came over
     Knot knot;
-    bool operator>(const Offer& other) const { return knot.size > other.knot.size; }
+    /// Of equal sizes, each has its place, whatever the queue.
+    bool operator>(const Offer& other) const {
+      return std::tie(knot.size, halfedge, knot.at) >
+             std::tie(other.knot.size, other.halfedge, other.knot.at);
+    }
   };
   struct Link {
     Knot knot;
@@ -46,7 +51,8 @@ class FeatureSizes {
   };
 
   std::array<Knot, 2> knots_at_ends(Index edge) const;
-  /// Whether a knot would make no difference, or the edge has many.
+  /// Whether a knot would make no difference, or the edge has many, counting its ends and the apexes of its
+  /// faces.
   bool is_known(Index edge, const Knot& knot);
   void spread(Index halfedge, const Knot& knot);
   void cross(Index halfedge, const Knot& knot);

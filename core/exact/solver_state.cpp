@@ -674,8 +674,8 @@ void ExactSolver::State::take_edge(Index edge) {
 
 namespace {
 
-/// The window with the distances of `a` where that begins and of `b` where that ends, whose rays stay between
-/// those of the two. False if there is none.
+/// The window with the distances of `a` where that begins and of `b` where that ends, which sees all that the
+/// two see. False if there is none.
 bool merge(const Window& a, const Window& b, Window& result) {
   const double at_begin = a.distance(a.begin);
   const double at_end = b.distance(b.end);
@@ -687,7 +687,7 @@ bool merge(const Window& a, const Window& b, Window& result) {
   const double radius_at_end = at_end - b.offset;
   if (!(room > 0.0 && radius_at_begin > 0.0 && radius_at_end > 0.0)) return false;
   // Distance of the new pseudo-source from the beginning. A smaller one turns the rays at both ends outwards,
-  // which must stay between those of the old windows.
+  // which must go out as far as those of the old windows.
   const double slope_at_begin = (a.begin - a.source_x) / radius_at_begin;
   const double slope_at_end = (b.end - b.source_x) / radius_at_end;
   double radius = std::max(radius_at_begin, radius_at_end - rise);
@@ -705,14 +705,21 @@ bool merge(const Window& a, const Window& b, Window& result) {
   return true;
 }
 
-/// Largest deviation of `merged` from `a` and `b`, where they meet and halfway to their other ends.
+/// Largest deviation of `merged` from `a` and `b`, where they meet, halfway to their other ends, and nearest
+/// to their pseudo-sources, where those may be quite close to the edge.
 double deviation(const Window& merged, const Window& a, const Window& b) {
-  const double in_a = 0.5 * (a.begin + a.end);
-  const double in_b = 0.5 * (b.begin + b.end);
-  return std::max({std::abs(merged.distance(in_a) - a.distance(in_a)),
-                   std::abs(merged.distance(b.begin) - b.distance(b.begin)),
-                   std::abs(merged.distance(in_b) - b.distance(in_b))});
+  const auto at = [&](const Window& old, double x) { return std::abs(merged.distance(x) - old.distance(x)); };
+  double largest = at(b, b.begin);
+  for (const Window* old : {&a, &b}) {
+    largest = std::max(largest, at(*old, 0.5 * (old->begin + old->end)));
+    if (old->source_x > old->begin && old->source_x < old->end)
+      largest = std::max(largest, at(*old, old->source_x));
+  }
+  return largest;
 }
+
+/// Windows so far apart, relative to their distance and the edge's length, are neighbours all the same.
+constexpr double end_rounding = 1e-9;
 
 }  // namespace
 
@@ -734,11 +741,18 @@ void ExactSolver::State::merge_crossing(Index halfedge) {
   for (std::size_t i = 1; i < crossing.size(); ++i) {
     const Window& next = crossing[i].window;
     Window& window = crossing[last].window;
+    const double scale = geometry->scale_at(edge, window.end, window.offset + window.source_y, length);
+    // What is no wider than rounding ends at the next edge. It may be longer than its neighbours, and than a
+    // vertex at the end of the edge: a window that kept its distance there would be cut back, and leave the
+    // rays of the other open.
+    if (!(next.end - next.begin > least_width * scale)) continue;
+    if (!(window.end - window.begin > least_width * scale)) {
+      window = next;
+      continue;
+    }
     Window merged;
-    const double end_rounding =
-        1e-9 * geometry->scale_at(edge, window.end, window.offset + window.source_y, length);
-    if (next.end <= greatest_end && next.source == window.source && next.came_from == window.came_from &&
-        std::abs(next.begin - window.end) <= end_rounding && merge(window, next, merged)) {
+    if (std::abs(next.begin - window.end) <= end_rounding * scale && next.end <= greatest_end &&
+        next.source == window.source && next.came_from == window.came_from && merge(window, next, merged)) {
       const double sum = deviated + deviation(merged, window, next);
       if (sum <= tolerance &&
           sum <= merge_tolerance * std::min(window.least_distance(), next.least_distance())) {

@@ -17,8 +17,8 @@ constexpr int pairs = 4;
 /// Relative errors allowed to an index: larger ones are findings. Documented errors are those of meshes as
 /// people have them (docs/figures.md); here patches have a handful of faces of any shape.
 constexpr double greatest_error = 0.5;
-/// The same of quick fields, which merge within parts of a face: docs/figures.md has a tenth of that.
-constexpr double greatest_quick_error = 0.05;
+/// The same of quick fields, whose windows deviate by less than a percent of the distance.
+constexpr double greatest_quick_error = 0.01;
 
 /// Answers that are asked for twice, from the built and from the loaded index.
 struct Answers {
