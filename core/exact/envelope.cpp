@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "support/memory.h"
@@ -17,11 +18,16 @@ namespace {
 constexpr double tie = 1e-12;
 /// Of positions, relative to the greatest on the part of an edge that is divided, or on a long edge to that
 /// of the pseudo-source: some units in the last place, as a ray that turns about a vertex crosses several
-/// edges. Not where faces follow from lengths: these have no finer digits near the beginning of an edge, and
-/// a tube that their rounding twists would let a ray gain a unit with each round.
+/// edges.
 constexpr double position_rounding = 2e-15;
 /// Relative error of a distance at which a crossing is accepted.
 constexpr double sharp = 1e-14;
+/// Batches of windows that an edge takes before its rounding is taken for larger, and after how many more for
+/// twice as large. Scans need three of them, needles up to some hundreds. A ray that winds round a tube no
+/// wider than rounding comes back more often than could be waited for, each time a little nearer than what is
+/// there, though a shortest path crosses an edge once.
+constexpr int usual_batches = 1 << 10;
+constexpr int batches_to_double = 1 << 6;
 /// Most steps towards a crossing; Newton's method takes three, bisection sixty.
 constexpr int max_steps = 80;
 
@@ -109,7 +115,7 @@ double sign_change(const Window& fresh, const Window& old, double l, double r, b
 /// forever.
 template <bool is_long>
 Division divide(const Window& fresh, const Window& old, double l, double r, double fresh_l, double fresh_r,
-                bool by_lengths) {
+                double rounding) {
   const double old_l = old.distance(l);
   const double old_r = old.distance(r);
   auto gain = [&](double x, double at_old, double at_fresh) {
@@ -117,15 +123,15 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
   };
   // Beside a pseudo-source on the edge, distances are as small as the rounding of positions: rays that turn
   // about a vertex at the source would replace one another without end.
-  const double of_positions = position_rounding * (is_long && !by_lengths ? std::abs(old.source_x) : r);
+  const double of_positions = position_rounding * (is_long ? std::abs(old.source_x) : r);
   // A window that bends earlier, or nowhere, is wider behind each edge than what bends beside its rays: kept
   // in its place, that would leave open what only these rays see. Waves of segments have offsets far beyond
   // their distances, and these round as offsets do.
   const bool is_sharp = fresh.offset < old.offset;
   auto tie_at = [&](double at_old) {
     const double scale = is_long ? gain_scale(fresh, old, at_old) : at_old;
-    const double rounding = sharp * (scale + std::abs(fresh.offset));
-    return (is_sharp ? std::min(tie * scale, rounding) : tie * scale) + of_positions;
+    const double of_offsets = sharp * (scale + std::abs(fresh.offset));
+    return rounding * ((is_sharp ? std::min(tie * scale, of_offsets) : tie * scale) + of_positions);
   };
   const double gain_l = gain(l, old_l, fresh_l);
   const double gain_r = gain(r, old_r, fresh_r);
@@ -188,6 +194,8 @@ void WindowEnvelope::open(Index edge, const Sliver& sliver) {
   least_ = unreachable;
   before_.clear();
   after_.clear();
+  const int more = lists_[edge].batches - usual_batches;
+  rounding_ = more > 0 ? std::exp2(static_cast<double>(more) / batches_to_double) : 1.0;
   const auto list = windows(edge);
   stored_ = list.data();
   stored_count_ = static_cast<std::uint32_t>(list.size());
@@ -265,8 +273,8 @@ void WindowEnvelope::divide_among(Window window, double at_begin, double at_end)
     }
     const double fresh_l = l == window.begin ? at_begin : window.distance(l);
     const double fresh_r = r == window.end ? at_end : window.distance(r);
-    Division division = is_long ? divide<true>(window, old, l, r, fresh_l, fresh_r, by_lengths_)
-                                : divide<false>(window, old, l, r, fresh_l, fresh_r, by_lengths_);
+    Division division = is_long ? divide<true>(window, old, l, r, fresh_l, fresh_r, rounding_)
+                                : divide<false>(window, old, l, r, fresh_l, fresh_r, rounding_);
     // An old window as long as the new one gives way to a wider piece beside it. Kept, it would cut the new
     // one in two; behind the next edge, its rays arrive elsewhere by rounding, leave a gap here and cut the
     // new one there: with each face, the windows would double. This ends: whatever is replaced, its place
@@ -342,6 +350,7 @@ constexpr double passed = -unreachable;
 double WindowEnvelope::store() {
   if (changed_) {
     List& list = lists_[open_];
+    if (list.batches < std::numeric_limits<std::uint16_t>::max()) ++list.batches;
     const auto size = [&] { return kept_ + before_.size() + after_.size() + (list.size - rest_); };
     std::size_t room = size();
     if (!fits(list, room)) {

@@ -86,11 +86,7 @@ struct FirstLeg {
 /// edges touched only.
 class WindowEnvelope {
  public:
-  /// `by_lengths`: faces follow from the lengths of their sides alone, not from positions.
-  void resize(std::size_t edges, bool by_lengths = false) {
-    lists_.assign(edges, {});
-    by_lengths_ = by_lengths;
-  }
+  void resize(std::size_t edges) { lists_.assign(edges, {}); }
 
   /// Until the next store().
   std::span<const Window> windows(Index edge) const { return {lists_[edge].first, lists_[edge].size}; }
@@ -157,6 +153,7 @@ class WindowEnvelope {
     std::uint32_t new_end = 0;
     std::uint8_t size_class = 0;  ///< room for 2^size_class windows; 0: none
     bool retired = false;
+    std::uint16_t batches = 0;  ///< that have changed it
   };
 
   /// A stack of windows; what was popped stays as capacity.
@@ -265,10 +262,10 @@ class WindowEnvelope {
   std::vector<Index> touched_;
   std::vector<Index> long_;          ///< edges of long lists, and some whose list is not long any more
   std::size_t next_collection_ = 0;  ///< made_ from which on long lists may be looked through
-  bool by_lengths_ = false;
   Index open_ = no_index;
   bool changed_ = false;
   Sliver sliver_{};
+  double rounding_ = 1.0;  ///< of the open edge, in units of that on other edges
   double least_ = unreachable;
   const Window* stored_ = nullptr;    ///< windows of the open edge in their places
   std::uint32_t stored_count_ = 0;    ///< before it was opened
