@@ -25,9 +25,11 @@ constexpr double sharp = 1e-14;
 /// Batches of windows that an edge takes before its rounding is taken for larger, and after how many more for
 /// twice as large. Scans need three of them, needles up to some hundreds. A ray that winds round a tube no
 /// wider than rounding comes back more often than could be waited for, each time a little nearer than what is
-/// there, though a shortest path crosses an edge once.
+/// there, or where nothing is, though a shortest path crosses an edge once.
 constexpr int usual_batches = 1 << 10;
 constexpr int batches_to_double = 1 << 6;
+/// Then distances have four or five digits there, and windows are wider than a part of 1e-4 of the edge.
+constexpr int most_doublings = 24;
 /// Most steps towards a crossing; Newton's method takes three, bisection sixty.
 constexpr int max_steps = 80;
 
@@ -194,8 +196,8 @@ void WindowEnvelope::open(Index edge, const Sliver& sliver) {
   least_ = unreachable;
   before_.clear();
   after_.clear();
-  const int more = lists_[edge].batches - usual_batches;
-  rounding_ = more > 0 ? std::exp2(static_cast<double>(more) / batches_to_double) : 1.0;
+  const int doublings = std::min((lists_[edge].batches - usual_batches) / batches_to_double, most_doublings);
+  rounding_ = doublings > 0 ? std::ldexp(1.0, doublings) : 1.0;
   const auto list = windows(edge);
   stored_ = list.data();
   stored_count_ = static_cast<std::uint32_t>(list.size());

@@ -111,6 +111,9 @@ class WindowEnvelope {
   };
   void open(Index edge, const Sliver& sliver);
   void open(Index edge, double sliver) { open(edge, {sliver, sliver, 0.0}); }
+  /// How much more than elsewhere is taken for rounding on the open edge: more than 1 where far more batches
+  /// came than a shortest path needs.
+  double rounding() const { return rounding_; }
   /// Inserts a window into the open edge where it is shorter than the windows there, and cuts these back.
   /// Ties (relative 1e-12) are left with the older window, unless the new one is wider. `at_begin`, `at_end`:
   /// the window's distances at its ends, which the caller has at hand.
@@ -265,7 +268,7 @@ class WindowEnvelope {
   Index open_ = no_index;
   bool changed_ = false;
   Sliver sliver_{};
-  double rounding_ = 1.0;  ///< of the open edge, in units of that on other edges
+  double rounding_ = 1.0;  ///< of the open edge
   double least_ = unreachable;
   const Window* stored_ = nullptr;    ///< windows of the open edge in their places
   std::uint32_t stored_count_ = 0;    ///< before it was opened

@@ -360,11 +360,11 @@ void ExactSolver::State::insert_cut(Window window, double at_begin, double at_en
 
 bool ExactSolver::State::is_narrow_sliver(const Window& window) const {
   const double scale = geometry->scale_at(open, window.begin, window.distance(window.begin), open_length);
-  return !(window.end - window.begin > least_width * scale);
+  return !(window.end - window.begin > least_width * envelope.rounding() * scale);
 }
 
 inline bool ExactSolver::State::is_sliver(const Window& window) const {
-  return !(window.end - window.begin > least_open_width) && is_narrow_sliver(window);
+  return !(window.end - window.begin > least_open_width * envelope.rounding()) && is_narrow_sliver(window);
 }
 
 inline void ExactSolver::State::insert_window(const Window& window) {
