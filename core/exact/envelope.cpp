@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "support/memory.h"
@@ -22,14 +21,6 @@ constexpr double tie = 1e-12;
 constexpr double position_rounding = 2e-15;
 /// Relative error of a distance at which a crossing is accepted.
 constexpr double sharp = 1e-14;
-/// Batches of windows that an edge takes before its rounding is taken for larger, and after how many more for
-/// twice as large. Scans need three of them, needles up to some hundreds. A ray that winds round a tube no
-/// wider than rounding comes back more often than could be waited for, each time a little nearer than what is
-/// there, or where nothing is, though a shortest path crosses an edge once.
-constexpr int usual_batches = 1 << 10;
-constexpr int batches_to_double = 1 << 6;
-/// Then distances have four or five digits there, and windows are wider than a part of 1e-4 of the edge.
-constexpr int most_doublings = 24;
 /// Most steps towards a crossing; Newton's method takes three, bisection sixty.
 constexpr int max_steps = 80;
 
@@ -189,15 +180,14 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
 
 }  // namespace
 
-void WindowEnvelope::open(Index edge, const Sliver& sliver) {
+void WindowEnvelope::open(Index edge, const Sliver& sliver, double rounding) {
   open_ = edge;
   sliver_ = sliver;
   changed_ = false;
   least_ = unreachable;
   before_.clear();
   after_.clear();
-  const int doublings = std::min((lists_[edge].batches - usual_batches) / batches_to_double, most_doublings);
-  rounding_ = doublings > 0 ? std::ldexp(1.0, doublings) : 1.0;
+  rounding_ = rounding;
   const auto list = windows(edge);
   stored_ = list.data();
   stored_count_ = static_cast<std::uint32_t>(list.size());
@@ -225,7 +215,7 @@ bool WindowEnvelope::cut_last(const Window& window, double at_begin, double at_e
   const double rest = (window.source_y - last.source_y) * (window.source_y + last.source_y);
   const double difference_at_begin = across * (sum - 2.0 * window.begin) + rest;
   const double difference_at_end = across * (sum - 2.0 * last.end) + rest;
-  const double equal = 2.0 * tie * std::max(at_begin, at_end) * std::max(at_begin, at_end);
+  const double equal = 2.0 * tie * rounding_ * std::max(at_begin, at_end) * std::max(at_begin, at_end);
   if (!(difference_at_begin > equal && difference_at_end < -equal)) return false;
   const double cut = 0.5 * (sum + rest / across);
   if (!(cut > window.begin && cut < last.end)) return false;
@@ -352,7 +342,6 @@ constexpr double passed = -unreachable;
 double WindowEnvelope::store() {
   if (changed_) {
     List& list = lists_[open_];
-    if (list.batches < std::numeric_limits<std::uint16_t>::max()) ++list.batches;
     const auto size = [&] { return kept_ + before_.size() + after_.size() + (list.size - rest_); };
     std::size_t room = size();
     if (!fits(list, room)) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -97,7 +99,13 @@ class WindowEnvelope {
     const List& list = lists_[edge];
     return {list.first + list.new_begin, list.new_end - list.new_begin};
   }
-  void take_new(Index edge) { lists_[edge].new_begin = lists_[edge].new_end = 0; }
+  void take_new(Index edge) {
+    List& list = lists_[edge];
+    list.new_begin = list.new_end = 0;
+    if (list.takes < std::numeric_limits<std::uint16_t>::max()) ++list.takes;
+  }
+  /// How often that was since clear(), up to 65535.
+  int takes(Index edge) const { return lists_[edge].takes; }
 
   /// Overlaps that are regarded as rounding of a shared end and not compared: those up to `at_begin` (a
   /// length) where the edge begins, growing with the position and the distance there up to `greatest`.
@@ -109,11 +117,9 @@ class WindowEnvelope {
       return slope == 0.0 ? greatest : std::min(greatest, at_begin + slope * (x + distance));
     }
   };
-  void open(Index edge, const Sliver& sliver);
-  void open(Index edge, double sliver) { open(edge, {sliver, sliver, 0.0}); }
-  /// How much more than elsewhere is taken for rounding on the open edge: more than 1 where far more batches
-  /// came than a shortest path needs.
-  double rounding() const { return rounding_; }
+  /// `rounding`: how many times as much as elsewhere two windows may differ and be equal, no less than 1.
+  void open(Index edge, const Sliver& sliver, double rounding = 1.0);
+  void open(Index edge, double sliver, double rounding = 1.0) { open(edge, {sliver, sliver, 0.0}, rounding); }
   /// Inserts a window into the open edge where it is shorter than the windows there, and cuts these back.
   /// Ties (relative 1e-12) are left with the older window, unless the new one is wider. `at_begin`, `at_end`:
   /// the window's distances at its ends, which the caller has at hand.
@@ -156,7 +162,7 @@ class WindowEnvelope {
     std::uint32_t new_end = 0;
     std::uint8_t size_class = 0;  ///< room for 2^size_class windows; 0: none
     bool retired = false;
-    std::uint16_t batches = 0;  ///< that have changed it
+    std::uint16_t takes = 0;  ///< of new windows
   };
 
   /// A stack of windows; what was popped stays as capacity.

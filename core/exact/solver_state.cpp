@@ -320,7 +320,9 @@ bool ExactSolver::State::open_edge(Index edge) {
   from_second = vertices[b].distance;
   if (has_corridor) look_at_target();
   const double at_begin = least_width * geometry->scale_at(edge, 0.0, 0.0, open_length);
-  envelope.open(edge, {at_begin, least_open_width, at_begin < least_open_width ? least_width : 0.0});
+  open_rounding = rounding_of(edge);
+  envelope.open(edge, {at_begin, least_open_width, at_begin < least_open_width ? least_width : 0.0},
+                open_rounding);
   return true;
 }
 
@@ -360,11 +362,11 @@ void ExactSolver::State::insert_cut(Window window, double at_begin, double at_en
 
 bool ExactSolver::State::is_narrow_sliver(const Window& window) const {
   const double scale = geometry->scale_at(open, window.begin, window.distance(window.begin), open_length);
-  return !(window.end - window.begin > least_width * envelope.rounding() * scale);
+  return !(window.end - window.begin > least_width * open_rounding * scale);
 }
 
 inline bool ExactSolver::State::is_sliver(const Window& window) const {
-  return !(window.end - window.begin > least_open_width * envelope.rounding()) && is_narrow_sliver(window);
+  return !(window.end - window.begin > least_open_width * open_rounding) && is_narrow_sliver(window);
 }
 
 inline void ExactSolver::State::insert_window(const Window& window) {
@@ -705,15 +707,16 @@ bool merge(const Window& a, const Window& b, Window& result) {
   return true;
 }
 
-/// Largest deviation of `merged` from `a` and `b`, where they meet, halfway to their other ends, and nearest
-/// to their pseudo-sources, where those may be quite close to the edge.
+/// Deviation of `merged` from `a` and `b`: the largest where they meet, halfway to their other ends, and at
+/// the places of the edge nearest to the three pseudo-sources, beside which distances change fast.
 double deviation(const Window& merged, const Window& a, const Window& b) {
   const auto at = [&](const Window& old, double x) { return std::abs(merged.distance(x) - old.distance(x)); };
   double largest = at(b, b.begin);
   for (const Window* old : {&a, &b}) {
     largest = std::max(largest, at(*old, 0.5 * (old->begin + old->end)));
-    if (old->source_x > old->begin && old->source_x < old->end)
-      largest = std::max(largest, at(*old, old->source_x));
+    for (const double foot : {old->source_x, merged.source_x}) {
+      if (foot > old->begin && foot < old->end) largest = std::max(largest, at(*old, foot));
+    }
   }
   return largest;
 }
@@ -722,6 +725,14 @@ double deviation(const Window& merged, const Window& a, const Window& b) {
 constexpr double end_rounding = 1e-9;
 
 }  // namespace
+
+inline bool ExactSolver::State::is_beam_of_rounding(Index edge, const Window& window) const {
+  const double length = mesh.edge_length(edge);
+  const double width = window.end - window.begin;
+  if (width > least_width * length || window.source_y < near_edge * length) return false;
+  return !(width >
+           least_width * geometry->scale_at(edge, window.begin, window.distance(window.begin), length));
+}
 
 void ExactSolver::State::merge_crossing(Index halfedge) {
   const Index edge = mesh.edge_of(halfedge);
@@ -741,15 +752,15 @@ void ExactSolver::State::merge_crossing(Index halfedge) {
   for (std::size_t i = 1; i < crossing.size(); ++i) {
     const Window& next = crossing[i].window;
     Window& window = crossing[last].window;
-    const double scale = geometry->scale_at(edge, window.end, window.offset + window.source_y, length);
-    // What is no wider than rounding ends at the next edge. It may be longer than its neighbours, and than a
-    // vertex at the end of the edge: a window that kept its distance there would be cut back, and leave the
-    // rays of the other open.
-    if (!(next.end - next.begin > least_width * scale)) continue;
-    if (!(window.end - window.begin > least_width * scale)) {
+    // What is no wider than rounding ends at the next edge, unless its rays spread. It may be longer than its
+    // neighbours, and than a vertex at the end of the edge: a window that kept its distance there would be
+    // cut back, and leave the rays of the other open.
+    if (is_beam_of_rounding(edge, next)) continue;
+    if (is_beam_of_rounding(edge, window)) {
       window = next;
       continue;
     }
+    const double scale = geometry->scale_at(edge, window.end, window.offset + window.source_y, length);
     Window merged;
     if (std::abs(next.begin - window.end) <= end_rounding * scale && next.end <= greatest_end &&
         next.source == window.source && next.came_from == window.came_from && merge(window, next, merged)) {

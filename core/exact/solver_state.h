@@ -226,6 +226,8 @@ struct ExactSolver::State {
   /// Cuts off what the end vertices of the open edge reach no later; false if nothing is left.
   bool cut_at_ends(Window& window, double& at_begin, double& at_end) const;
   bool open_edge(Index edge);
+  /// How many times as much as elsewhere is taken for rounding on an edge, by how often it was taken.
+  double rounding_of(Index edge) const;
   void insert_window(const Window& window);
   /// Whether a window of the open edge is so narrow that it comes from rounding.
   bool is_sliver(const Window& window) const;
@@ -357,12 +359,15 @@ struct ExactSolver::State {
   std::unordered_map<Index, std::vector<PassedPoint>> points_passed;  ///< by the half-edge of entry
   /// Merges neighbouring windows of `crossing` where merge_tolerance allows it (solver_state.cpp).
   void merge_crossing(Index halfedge);
+  /// Whether a window is so narrow that it comes from rounding, and its rays do not spread behind the edge.
+  bool is_beam_of_rounding(Index edge, const Window& window) const;
   double merge_tolerance = 0.0;
   const TangentFrame* directions = nullptr;  ///< at the only source, if they are wanted
   /// The open edge, to which windows are being added, and the distances of its ends.
   Index open = no_index;
   double open_length = 0.0;
   double least_open_width = 0.0;
+  double open_rounding = 1.0;  ///< of the open edge: see rounding_of()
   double from_first = 0.0;
   double from_second = 0.0;
   double edge_in_space = 1.0;    ///< length of the open edge in space, relative to its length

@@ -281,7 +281,37 @@ TEST(ExactFieldContract, TubesNarrowerThanRoundingAreNotFollowedToTheirEnds) {
       weights[(h + 1) % 3] = 0.013;
       solver.run(std::array{ExactSource{SurfacePoint::in_face(Mesh::face_of(h), weights)}}, {});
       EXPECT_LE(solver.window_count(), 100'000U) << seed << ", edge " << edge;
+      // Nothing is nearer than by air, or farther than along an edge.
+      const Point from = position_of(*mesh, SurfacePoint::in_face(Mesh::face_of(h), weights));
+      const double rounding = 1e-15 * mesh->longest_edge_length();
+      for (Index other = 0; other < mesh->edge_count(); ++other) {
+        const auto [a, b] = mesh->edge_vertices(other);
+        const double at_a = solver.distance(a), at_b = solver.distance(b);
+        ASSERT_EQ(at_a < unreachable, at_b < unreachable) << seed << ", edge " << edge;
+        if (at_a == unreachable) continue;
+        ASSERT_LE(std::abs(at_a - at_b), mesh->edge_length(other) + 1e-9 * at_a + rounding) << seed;
+        ASSERT_GE(at_a, distance_between(from, mesh->position(a)) * (1.0 - 1e-9) - rounding) << seed;
+      }
     }
+  }
+}
+
+TEST(ExactFieldContract, ThousandsOfSourcesInOneFaceKeepAllTheirDigits) {
+  // Each of them comes to the sides of its face on its own, which are taken no more often for that.
+  const auto mesh = test::make_mesh(test::plane_grid(8, 8, 8, 8).soup);
+  std::vector<ExactSource> sources;
+  std::vector<Point> places;
+  for (int i = 1; i < 6000; ++i) {
+    const double part = i / 6000.0;
+    sources.push_back({SurfacePoint::in_face(0, {0.95 * part, 0.95 * (1.0 - part), 0.05})});
+    places.push_back(position_of(*mesh, sources.back().point));
+  }
+  ExactSolver solver(mesh);
+  solver.run(sources, {});
+  for (Index v = 0; v < mesh->vertex_count(); ++v) {
+    double nearest = unreachable;
+    for (const Point& place : places) nearest = std::min(nearest, distance_between(place, mesh->position(v)));
+    ASSERT_NEAR(solver.distance(v), nearest, 1e-12 * nearest) << v;
   }
 }
 

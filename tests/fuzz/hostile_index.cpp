@@ -17,7 +17,7 @@ constexpr int pairs = 4;
 /// Relative errors allowed to an index: larger ones are findings. Documented errors are those of meshes as
 /// people have them (docs/figures.md); here patches have a handful of faces of any shape.
 constexpr double greatest_error = 0.5;
-/// The same of quick fields, whose windows deviate by less than a percent of the distance.
+/// The same of quick fields: more than any has erred by.
 constexpr double greatest_quick_error = 0.01;
 
 /// Answers that are asked for twice, from the built and from the loaded index.

@@ -51,23 +51,25 @@ double value_at(const std::vector<Window>& list, double x) {
   return unreachable;
 }
 
-TEST(WindowEnvelope, ARayThatComesBackALittleNearerIsGivenUpInTheEnd) {
-  // Each time by a part of 1e-11, ten times what is taken for rounding: at first all are taken, and those
-  // that come back for ever hardly change what is there.
-  const auto nearer_by = [](int rounds) { return window(0.0, 1.0, 0.5, 1.0, 1.0 - 1e-11 * rounds, rounds); };
+TEST(WindowEnvelope, WhereRoundingIsGreaterOnlyWhatIsNearerByMoreIsTaken) {
   WindowEnvelope envelope;
   envelope.resize(1);
-  for (int rounds = 0; rounds < 500; ++rounds) insert(envelope, 0, nearer_by(rounds));
-  EXPECT_EQ(envelope.made(), 500U);
-  for (int rounds = 500; rounds < 1'000'000; ++rounds) insert(envelope, 0, nearer_by(rounds));
-  EXPECT_LT(envelope.made(), 3000U);
-  EXPECT_NEAR(windows_of(envelope, 0).front().offset, 1.0 - 1e-5, 1e-4);
-  // What is nearer by more than that is taken, and the next run begins anew.
-  insert(envelope, 0, window(0.0, 1.0, 0.5, 1.0, 0.5));
-  EXPECT_EQ(windows_of(envelope, 0).front().offset, 0.5);
+  const auto insert_from = [&](double offset, double rounding) {
+    const Window w = window(0.0, 1.0, 0.5, 1.0, offset);
+    envelope.open(0, 1e-13, rounding);
+    envelope.insert(w, w.distance(0.0), w.distance(1.0));
+    return envelope.store() < unreachable;
+  };
+  EXPECT_TRUE(insert_from(1.0, 1.0));
+  EXPECT_TRUE(insert_from(1.0 - 1e-11, 1.0));
+  EXPECT_FALSE(insert_from(1.0 - 2e-11, 1e4));
+  EXPECT_TRUE(insert_from(0.9, 1e4));
+  EXPECT_EQ(envelope.takes(0), 0);
+  envelope.take_new(0);
+  envelope.take_new(0);
+  EXPECT_EQ(envelope.takes(0), 2);
   envelope.clear();
-  for (int rounds = 0; rounds < 500; ++rounds) insert(envelope, 0, nearer_by(rounds));
-  EXPECT_EQ(envelope.made(), 500U);
+  EXPECT_EQ(envelope.takes(0), 0);
 }
 
 TEST(WindowEnvelope, AloneAWindowStaysWhole) {
