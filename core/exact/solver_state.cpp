@@ -360,13 +360,15 @@ void ExactSolver::State::insert_cut(Window window, double at_begin, double at_en
   envelope.insert(window, at_begin, at_end);
 }
 
-bool ExactSolver::State::is_narrow_sliver(const Window& window) const {
-  const double scale = geometry->scale_at(open, window.begin, window.distance(window.begin), open_length);
-  return !(window.end - window.begin > least_width * open_rounding * scale);
+bool ExactSolver::State::is_narrow(Index edge, const Window& window, double rounding) const {
+  const double scale =
+      geometry->scale_at(edge, window.begin, window.distance(window.begin), mesh.edge_length(edge));
+  return !(window.end - window.begin > least_width * rounding * scale);
 }
 
 inline bool ExactSolver::State::is_sliver(const Window& window) const {
-  return !(window.end - window.begin > least_open_width * open_rounding) && is_narrow_sliver(window);
+  return !(window.end - window.begin > least_open_width * open_rounding) &&
+         is_narrow(open, window, open_rounding);
 }
 
 inline void ExactSolver::State::insert_window(const Window& window) {
@@ -728,10 +730,8 @@ constexpr double end_rounding = 1e-9;
 
 inline bool ExactSolver::State::is_beam_of_rounding(Index edge, const Window& window) const {
   const double length = mesh.edge_length(edge);
-  const double width = window.end - window.begin;
-  if (width > least_width * length || window.source_y < near_edge * length) return false;
-  return !(width >
-           least_width * geometry->scale_at(edge, window.begin, window.distance(window.begin), length));
+  return !(window.end - window.begin > least_width * length) && window.source_y >= near_edge * length &&
+         is_narrow(edge, window, 1.0);
 }
 
 void ExactSolver::State::merge_crossing(Index halfedge) {

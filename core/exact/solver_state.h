@@ -231,8 +231,9 @@ struct ExactSolver::State {
   void insert_window(const Window& window);
   /// Whether a window of the open edge is so narrow that it comes from rounding.
   bool is_sliver(const Window& window) const;
-  bool is_narrow_sliver(const Window& window) const;
-  /// The same for a window that an end vertex may overtake, or with a corridor.
+  /// The same for any edge, with its rounding and however long it is.
+  bool is_narrow(Index edge, const Window& window, double rounding) const;
+  /// insert_window() where an end vertex may overtake it, or with a corridor.
   void insert_cut(Window window, double at_begin, double at_end);
   void store_edge();
   /// Whether the pseudo-source of a window lies where the apex of the face behind its edge does, as where

@@ -56,7 +56,7 @@ TEST(WindowEnvelope, WhereRoundingIsGreaterOnlyWhatIsNearerByMoreIsTaken) {
   envelope.resize(1);
   const auto insert_from = [&](double offset, double rounding) {
     const Window w = window(0.0, 1.0, 0.5, 1.0, offset);
-    envelope.open(0, 1e-13, rounding);
+    envelope.open(0, {1e-13, 1e-13, 0.0}, rounding);
     envelope.insert(w, w.distance(0.0), w.distance(1.0));
     return envelope.store() < unreachable;
   };
