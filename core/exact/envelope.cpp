@@ -142,17 +142,31 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
   // The difference of two distances has two zeros at most, and one if the pseudo-sources are equally far. So
   // the window that is longer at an end, or at both, can own the middle only if its least distance is low
   // enough.
-  if (fresh.offset == old.offset) return division;
   const bool is_tied = std::abs(gain_l) <= tie_l || std::abs(gain_r) <= tie_r;
+  if (fresh.offset == old.offset && !is_tied) return division;
   const Window& loser = division.new_first ? old : fresh;
   const double bound = division.new_first ? std::max(fresh_l, fresh_r) : std::max(old_l, old_r);
   if (!is_tied && loser.distance(std::clamp(loser.source_x, l, r)) >= bound * (1.0 - tie)) return division;
   // Zeros at the ends are found on either side of them, or not at all, and others by chance where both
-  // pseudo-sources lie on the edge or far away. So they only tell where to look: at the ends and in the
-  // middle of each part. Between two places with different owners there is a cut; places without a difference
+  // pseudo-sources lie on the edge or far away. So they only tell where to look: at the ends, in the middle
+  // of each part, and next to the pseudo-sources, as windows that tie far from these may differ by most of
+  // the distance there. Between two places with different owners there is a cut; places without a difference
   // belong to either.
   std::array<double, 2> x{};
   const int zeros = crossings(fresh, old, l, r, x);
+  std::array<double, 9> places{};
+  int count = 0;
+  auto add = [&](double at) {
+    if (at > l && at < r) places[count++] = at;
+  };
+  for (int i = 0; i <= zeros; ++i) add(0.5 * ((i == 0 ? l : x[i - 1]) + (i == zeros ? r : x[i])));
+  for (const Window* window : {&fresh, &old}) add(window->source_x);
+  for (int i = 0; i < zeros; ++i) {
+    const double away = old.plane_distance(x[i]);
+    add(x[i] - away);
+    add(x[i] + away);
+  }
+  std::sort(places.begin(), places.begin() + count);
   double decided_at = l;
   bool is_decided = false;
   bool last_is_new = false;
@@ -169,10 +183,9 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
     decided_at = at;
   };
   look_at(l, gain_l, tie_l);
-  for (int i = 0; i <= zeros; ++i) {
-    const double middle = 0.5 * ((i == 0 ? l : x[i - 1]) + (i == zeros ? r : x[i]));
-    const double at_old = old.distance(middle);
-    look_at(middle, gain(middle, at_old, fresh.distance(middle)), tie_at(at_old));
+  for (int i = 0; i < count; ++i) {
+    const double at_old = old.distance(places[i]);
+    look_at(places[i], gain(places[i], at_old, fresh.distance(places[i])), tie_at(at_old));
   }
   look_at(r, gain_r, tie_r);
   return division;
@@ -357,10 +370,10 @@ double WindowEnvelope::store() {
     const Window* const old = list.first;
     const std::uint32_t tail = list.size - rest_;
     const auto end = static_cast<std::uint32_t>(kept_ + before_.size() + after_.size());
+    take_room(list, room);
     const bool new_behind = list.new_end > rest_;
     list.new_begin = list.new_begin < list.new_end ? std::min(list.new_begin, kept_) : kept_;
     list.new_end = new_behind ? list.new_end - rest_ + end : end;
-    take_room(list, room);
     list.size = end + tail;
     if (list.first != old) std::copy_n(old, kept_, list.first);
     if (list.first == old && end > rest_) {

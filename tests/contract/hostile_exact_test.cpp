@@ -133,7 +133,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Seed{230016942, 200, {87}}, Seed{310004993, 2500, {2411}, {3789, 3802}},
                     Seed{3821607977, 200, {68}}, Seed{3900000397, 60, {244}, {223}},
                     Seed{3821607430, 200, {93}, {91}}, Seed{3821607695, 60, {63}, {64}},
-                    Seed{2562, 60, {21}, {35}}, Seed{2912000987, 2500, {288}}),
+                    Seed{2562, 60, {21}, {35}}, Seed{2912000987, 2500, {288}},
+                    Seed{4270006330, 60, {22, 25, 35}, {42, 52, 55}}),
     [](const auto& seed) { return std::to_string(seed.param.seed); });
 
 TEST(ExactFieldContract, FieldsBesideDebrisOfAScanAreTheSameFromAnyNumberOfThreads) {

@@ -262,6 +262,40 @@ TEST(WindowEnvelope, RandomWindowsGiveTheLeastEverywhere) {
   }
 }
 
+TEST(WindowEnvelope, WhatTiesFarAwayIsComparedNextToThePseudoSources) {
+  std::mt19937 random(std::random_device{}());
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  for (int round = 0; round < 1000; ++round) {
+    // On an edge of length 1, windows whose sources are 1e-8 to 1 away from it and hardly beside each other.
+    const double away = std::pow(10.0, -8.0 * unit(random));
+    const bool at_begin = round % 2 == 0;  // as on an edge whose positions keep more digits there
+    const double x = at_begin ? away : 0.1 + 0.8 * unit(random);
+    const double rounding = at_begin ? 0.0 : 1e-14;
+    std::vector<Window> all;
+    for (Index i = 0; i < 4; ++i) {
+      const double beside = (round % 3 == 0 ? 0.1 : 1e-10) * away * unit(random);
+      const double late = round % 5 == 0 ? 0.1 * away * unit(random) : 0.0;
+      all.push_back(window(0.0, 1.0, x + beside, away * (0.5 + unit(random)), late, i));
+    }
+    WindowEnvelope envelope;
+    envelope.resize(1);
+    for (const Window& w : all) {
+      envelope.open(0, at_begin ? WindowEnvelope::Sliver{1e-18, 1e-13, 1e-13}
+                                : WindowEnvelope::Sliver{1e-13, 1e-13, 0.0});
+      envelope.insert(w, w.distance(0.0), w.distance(1.0));
+      envelope.store();
+    }
+    const auto list = windows_of(envelope, 0);
+    for (int k = -40; k <= 40; ++k) {
+      const double at = std::clamp(x + 0.1 * k * away, 0.0, 1.0);
+      double least = unreachable;
+      for (const Window& w : all) least = std::min(least, w.distance(at));
+      ASSERT_NEAR(value_at(list, at), least, 1e-9 * least + rounding)
+          << "round " << round << ", away " << away;
+    }
+  }
+}
+
 TEST(WindowEnvelope, EqualAtOneEndEachKeepsWhereItIsShorter) {
   // Two branches of hyperbolas that cross at x = 1 and at the common end x = 3: b.offset makes them equal at
   // both.
