@@ -90,6 +90,8 @@ void check_laws(HostileCase& hostile);
 void check_metrics(HostileCase& hostile);
 /// Fields of the mesh with its gaps bridged. After check_exact().
 void check_gaps(HostileCase& hostile);
+/// Tasks that are answered exactly. After check_exact().
+void check_tasks(HostileCase& hostile);
 /// Builds an index and checks it against the exact fields.
 void check_index(HostileCase& hostile);
 /// Refined, exact and uncertified paths from the first source to targets, and from a point inside a face to

@@ -118,6 +118,7 @@ Measured examine(HostileCase& hostile, const Options& options, ScanCosts* scans)
     if (options.index) {
       check_metrics(hostile);
       check_gaps(hostile);
+      check_tasks(hostile);
     }
   }
   if (!options.index) return {};

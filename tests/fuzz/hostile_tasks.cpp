@@ -1,0 +1,181 @@
+// Tasks made of many exact fields: matrices, pairs within a radius (what gdist's interface is made of), the
+// nearest of a set, disks, samplings and extents agree with the fields themselves.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "fuzz/hostile_case.h"
+#include "query/surface.h"
+#include "tasks/distance_matrix.h"
+#include "tasks/extent.h"
+#include "tasks/neighbors.h"
+#include "tasks/spread_points.h"
+
+namespace vorogeo::test {
+
+namespace {
+
+/// Vertices that are asked for besides the two sources.
+constexpr int more_points = 6;
+constexpr Index samples_asked = 6;
+constexpr Index fields_of_extent = 8;
+/// Above this number of samples, a field from each would take too long.
+constexpr std::size_t most_samples = 200;
+
+class TaskCheck {
+ public:
+  explicit TaskCheck(HostileCase& hostile)
+      : hostile_(hostile),
+        random_(hostile.seed + (30ULL << 40)),
+        surface_(hostile.mesh, {.threads = random_.one_in(2) ? 1 : 3}),
+        points_{hostile.sources[0], hostile.sources[1]} {
+    const Mesh& mesh = *hostile.mesh;
+    for (int i = 0; i < more_points; ++i) {
+      points_.push_back(mesh.face_vertices(static_cast<Index>(random_.below(mesh.face_count())))[0]);
+    }
+    for (const double distance : hostile.exact[0]) {
+      if (distance < unreachable) farthest_ = std::max(farthest_, distance);
+    }
+    radius_ = farthest_ * random_.uniform(0.1, 0.9);
+  }
+
+  void check_matrix() {
+    hostile_.ask("matrix of " + std::to_string(points_.size()) + " vertices");
+    const std::size_t count = points_.size();
+    std::vector<double> matrix(count * count);
+    distance_matrix<double>(surface_, PointList(points_), MatrixMethod::fields, matrix, exactly_);
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t k = 0; k < count; ++k) {
+        const double entry = matrix[i * count + k];
+        if (entry != matrix[k * count + i]) hostile_.fail("a matrix is not symmetric", exactly(entry));
+        if (i < 2) require("a matrix has another distance", points_[k], entry, hostile_.exact[i][points_[k]]);
+      }
+    }
+  }
+
+  void check_pairs_within() {
+    hostile_.ask("pairs within " + exactly(radius_));
+    const SparseDistances pairs = pairs_within(surface_, PointList(points_), radius_, 0, exactly_);
+    for (int i = 0; i < 2; ++i) {
+      std::vector<double> row(points_.size(), unreachable);
+      for (std::int64_t at = pairs.row_begin[i]; at < pairs.row_begin[i + 1]; ++at) {
+        row[pairs.column[at]] = pairs.distance[at];
+      }
+      for (std::size_t k = 0; k < points_.size(); ++k) {
+        if (static_cast<int>(k) == i) continue;
+        const double exact = hostile_.exact[i][points_[k]];
+        if (std::abs(exact - radius_) <= hostile_.slack(exact)) continue;
+        require("pairs within a radius are others", points_[k], row[k],
+                exact < radius_ ? exact : unreachable);
+      }
+    }
+  }
+
+  void check_nearest() {
+    hostile_.ask("the nearer of both sources");
+    const NearestOfSet nearest =
+        nearest_of_set(surface_, PointList(hostile_.sources), PointList(points_), 2, exactly_);
+    for (std::size_t k = 0; k < points_.size(); ++k) {
+      const double first = hostile_.exact[0][points_[k]];
+      const double second = hostile_.exact[1][points_[k]];
+      const std::string kind = "the nearest of a set are others";
+      require(kind, points_[k], nearest.distance[2 * k], std::min(first, second));
+      require(kind, points_[k], nearest.distance[2 * k + 1], std::max(first, second));
+    }
+  }
+
+  void check_disk() {
+    hostile_.ask("disk of radius " + exactly(radius_));
+    const Disk disk = geodesic_disk(surface_, PointList(std::array{hostile_.sources[0]}), radius_, exactly_);
+    std::vector<double> inside(hostile_.mesh->vertex_count(), unreachable);
+    for (std::size_t i = 0; i < disk.vertices.size(); ++i) inside[disk.vertices[i]] = disk.distance[i];
+    for (Index v = 0; v < hostile_.mesh->vertex_count(); ++v) {
+      const double exact = hostile_.exact[0][v];
+      if (std::abs(exact - radius_) <= hostile_.slack(exact)) continue;
+      require("a disk has another vertex", v, inside[v], exact < radius_ ? exact : unreachable);
+    }
+  }
+
+  void check_farthest() {
+    hostile_.ask("samples far from each other");
+    const FarthestSamples samples = sample_farthest(surface_, {.count = samples_asked},
+                                                    PointList(std::array{hostile_.sources[0]}), 0, exactly_);
+    const auto field = exact_distance_field(hostile_.mesh, PointList(samples.points).vertices());
+    for (Index v = 0; v < hostile_.mesh->vertex_count(); ++v) {
+      require("the distance from samples is another", v, samples.distance[v], field[v]);
+    }
+    for (std::size_t i = 2; i < samples.radius.size(); ++i) {
+      if (samples.radius[i] > samples.radius[i - 1] + hostile_.slack(samples.radius[i - 1]))
+        hostile_.fail("a later sample is farther away", exactly(samples.radius[i]));
+    }
+  }
+
+  void check_poisson_disk() {
+    if (!(radius_ > 0.0)) return;
+    hostile_.ask("samples " + exactly(radius_) + " apart");
+    const std::vector<Index> samples = sample_poisson_disk(surface_, radius_, hostile_.seed, exactly_);
+    if (samples.size() > most_samples) return;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const auto field = exact_distance_field(hostile_.mesh, std::array{samples[i]});
+      for (std::size_t k = 0; k < i; ++k) {
+        const double apart = field[samples[k]];
+        if (apart < radius_ - hostile_.slack(radius_))
+          hostile_.fail("samples are too close", vertex(samples[k]) + exactly(apart));
+      }
+    }
+    const auto field = exact_distance_field(hostile_.mesh, samples);
+    for (Index v = 0; v < hostile_.mesh->vertex_count(); ++v) {
+      if (hostile_.exact[0][v] < unreachable && field[v] > radius_ + hostile_.slack(radius_))
+        hostile_.fail("there is room for another sample", vertex(v) + exactly(field[v]));
+    }
+  }
+
+  void check_extent() {
+    hostile_.ask("extent of the component of vertex " + std::to_string(hostile_.sources[0]));
+    const Extent extent = extent_of_component(surface_, hostile_.sources[0], fields_of_extent, exactly_);
+    const auto field = exact_distance_field(hostile_.mesh, std::array{extent.ends[0]});
+    require("the ends of a diameter are another distance apart", extent.ends[1], extent.diameter.lower,
+            field[extent.ends[1]]);
+    const auto at_most = [&](double less, double more) { return less <= more + hostile_.slack(more); };
+    if (!at_most(farthest_, extent.diameter.upper) ||
+        !at_most(extent.diameter.lower, extent.diameter.upper) ||
+        !at_most(extent.radius.lower, extent.radius.upper) || !at_most(extent.radius.lower, farthest_))
+      hostile_.fail("an extent has wrong bounds", exactly(farthest_) + ", diameter " +
+                                                      exactly(extent.diameter.lower) + " to " +
+                                                      exactly(extent.diameter.upper));
+  }
+
+ private:
+  static std::string vertex(Index v) { return "vertex " + std::to_string(v) + ": "; }
+
+  void require(const std::string& kind, Index v, double found, double exact) {
+    if (found == exact || std::abs(found - exact) <= hostile_.slack(exact)) return;
+    hostile_.fail(kind, vertex(v) + exactly(found) + ", not " + exactly(exact));
+  }
+
+  HostileCase& hostile_;
+  HostileRandom random_;
+  Surface surface_;
+  std::vector<Index> points_;  ///< the sources first
+  double farthest_ = 0.0;      ///< vertex from the first source
+  double radius_ = 0.0;
+  const TaskOptions exactly_{.by = Answer::exact};
+};
+
+}  // namespace
+
+void check_tasks(HostileCase& hostile) {
+  if (hostile.exact[1].empty()) return;
+  TaskCheck check(hostile);
+  hostile.attempt([&] { check.check_matrix(); });
+  hostile.attempt([&] { check.check_pairs_within(); });
+  hostile.attempt([&] { check.check_nearest(); });
+  hostile.attempt([&] { check.check_disk(); });
+  hostile.attempt([&] { check.check_farthest(); });
+  hostile.attempt([&] { check.check_poisson_disk(); });
+  hostile.attempt([&] { check.check_extent(); });
+}
+
+}  // namespace vorogeo::test
