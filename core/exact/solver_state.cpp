@@ -709,16 +709,16 @@ bool merge(const Window& a, const Window& b, Window& result) {
   return true;
 }
 
-/// Deviation of `merged` from `a` and `b`: the largest where they meet, halfway to their other ends, and at
-/// the places of the edge nearest to the three pseudo-sources, beside which distances change fast.
+/// The greatest deviation of `merged` from `a` and `b`, at whose outer ends there is none: where the two meet,
+/// or where a ray of the merged window and of the old one have the same direction, on the line through both
+/// pseudo-sources.
 double deviation(const Window& merged, const Window& a, const Window& b) {
   const auto at = [&](const Window& old, double x) { return std::abs(merged.distance(x) - old.distance(x)); };
-  double largest = at(b, b.begin);
+  double largest = std::max(at(a, a.end), at(b, b.begin));
   for (const Window* old : {&a, &b}) {
-    largest = std::max(largest, at(*old, 0.5 * (old->begin + old->end)));
-    for (const double foot : {old->source_x, merged.source_x}) {
-      if (foot > old->begin && foot < old->end) largest = std::max(largest, at(*old, foot));
-    }
+    const double part = old->source_y / (old->source_y - merged.source_y);
+    const double x = old->source_x + (merged.source_x - old->source_x) * part;
+    if (x > old->begin && x < old->end) largest = std::max(largest, at(*old, x));
   }
   return largest;
 }
