@@ -104,11 +104,11 @@ double sign_change(const Window& fresh, const Window& old, double l, double r, b
 }
 
 /// Divides [l, r], which both windows cover. The new window gets a part only if it is shorter than the old
-/// one by more than rounding in its middle or at an end: equal windows would otherwise replace each other
-/// forever.
+/// one by more than rounding in its middle, at an end or next to a pseudo-source: equal windows would
+/// otherwise replace each other forever. `typical`: length of the mesh's edges.
 template <bool is_long>
 Division divide(const Window& fresh, const Window& old, double l, double r, double fresh_l, double fresh_r,
-                double rounding) {
+                double rounding, double typical) {
   const double old_l = old.distance(l);
   const double old_r = old.distance(r);
   auto gain = [&](double x, double at_old, double at_fresh) {
@@ -150,8 +150,8 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
   // Zeros at the ends are found on either side of them, or not at all, and others by chance where both
   // pseudo-sources lie on the edge or far away. So they only tell where to look: at the ends, in the middle
   // of each part, and next to the pseudo-sources, as windows that tie far from these may differ by most of
-  // the distance there. Between two places with different owners there is a cut; places without a difference
-  // belong to either.
+  // the distance there; by more than the rounding of other edges that both have crossed. Between two places
+  // with different owners there is a cut; places without a difference belong to either.
   std::array<double, 2> x{};
   const int zeros = crossings(fresh, old, l, r, x);
   std::array<double, 9> places{};
@@ -185,7 +185,8 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
   look_at(l, gain_l, tie_l);
   for (int i = 0; i < count; ++i) {
     const double at_old = old.distance(places[i]);
-    look_at(places[i], gain(places[i], at_old, fresh.distance(places[i])), tie_at(at_old));
+    look_at(places[i], gain(places[i], at_old, fresh.distance(places[i])),
+            tie_at(at_old) + rounding * position_rounding * typical);
   }
   look_at(r, gain_r, tie_r);
   return division;
@@ -278,8 +279,8 @@ void WindowEnvelope::divide_among(Window window, double at_begin, double at_end)
     }
     const double fresh_l = l == window.begin ? at_begin : window.distance(l);
     const double fresh_r = r == window.end ? at_end : window.distance(r);
-    Division division = is_long ? divide<true>(window, old, l, r, fresh_l, fresh_r, rounding_)
-                                : divide<false>(window, old, l, r, fresh_l, fresh_r, rounding_);
+    Division division = is_long ? divide<true>(window, old, l, r, fresh_l, fresh_r, rounding_, typical_)
+                                : divide<false>(window, old, l, r, fresh_l, fresh_r, rounding_, typical_);
     // An old window as long as the new one gives way to a wider piece beside it. Kept, it would cut the new
     // one in two; behind the next edge, its rays arrive elsewhere by rounding, leave a gap here and cut the
     // new one there: with each face, the windows would double. This ends: whatever is replaced, its place

@@ -88,7 +88,11 @@ struct FirstLeg {
 /// edges touched only.
 class WindowEnvelope {
  public:
-  void resize(std::size_t edges) { lists_.assign(edges, {}); }
+  /// `typical`: length of an edge, by whose rounding windows of shorter edges differ, too.
+  void resize(std::size_t edges, double typical = 0.0) {
+    lists_.assign(edges, {});
+    typical_ = typical;
+  }
 
   /// Until the next store().
   std::span<const Window> windows(Index edge) const { return {lists_[edge].first, lists_[edge].size}; }
@@ -268,6 +272,7 @@ class WindowEnvelope {
 
   BlockPool<Window> pool_;
   std::vector<List> lists_;
+  double typical_ = 0.0;
   std::vector<Index> touched_;
   std::vector<Index> long_;          ///< edges of long lists, and some whose list is not long any more
   std::size_t next_collection_ = 0;  ///< made_ from which on long lists may be looked through

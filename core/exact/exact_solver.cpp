@@ -68,7 +68,7 @@ ExactSolver::State::State(std::shared_ptr<const ExactGeometry> shared_geometry)
     : geometry(std::move(shared_geometry)), mesh(*geometry->mesh) {
   vertices.resize(mesh.vertex_count());
   light_is_due.resize(mesh.vertex_count(), 0);
-  envelope.resize(mesh.edge_count());
+  envelope.resize(mesh.edge_count(), mesh.typical_edge_length());
   queue.resize(static_cast<std::size_t>(mesh.vertex_count()) + mesh.edge_count());
 }
 

@@ -709,9 +709,9 @@ bool merge(const Window& a, const Window& b, Window& result) {
   return true;
 }
 
-/// The greatest deviation of `merged` from `a` and `b`, at whose outer ends there is none: where the two meet,
-/// or where a ray of the merged window and of the old one have the same direction, on the line through both
-/// pseudo-sources.
+/// The greatest deviation of `merged` from `a` and `b`, at whose outer ends there is none: where the two
+/// meet, or where a ray of the merged window and of the old one have the same direction, on the line through
+/// both pseudo-sources.
 double deviation(const Window& merged, const Window& a, const Window& b) {
   const auto at = [&](const Window& old, double x) { return std::abs(merged.distance(x) - old.distance(x)); };
   double largest = std::max(at(a, a.end), at(b, b.begin));

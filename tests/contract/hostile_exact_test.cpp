@@ -297,6 +297,27 @@ TEST(ExactFieldContract, TubesNarrowerThanRoundingAreNotFollowedToTheirEnds) {
   }
 }
 
+TEST(ExactFieldContract, RaysThatALongEdgeHasMovedByItsRoundingAreNotNearer) {
+  // Rays turn about a cluster of vertices, over edges of 3e-10 and of .5, a little farther each time.
+  const test::Soup soup = test::hostile_mesh(4290005248, 60).soup;
+  const std::vector<Tensor> stretch(soup.positions.size(), Tensor{0.5, 0, 0, 0, 1, 0, 0, 0, 0.5});
+  const auto mesh = std::make_shared<const Mesh>(soup.positions, soup.faces,
+                                                 lengths_by_tensor(soup.positions, soup.faces, stretch));
+  ExactSolver solver(mesh);
+  const Index source = 123;
+  solver.run_from_vertices(std::array{source}, {.distances_only = true});
+  EXPECT_LE(solver.window_count(), 100'000U);
+  std::vector<Point> stretched = soup.positions;
+  for (Point& p : stretched) p = {std::sqrt(0.5) * p[0], p[1], std::sqrt(0.5) * p[2]};
+  const std::vector<double> field =
+      exact_distance_field(std::make_shared<const Mesh>(stretched, soup.faces), std::array{source});
+  for (Index v = 0; v < mesh->vertex_count(); ++v) {
+    if (field[v] == unreachable) continue;
+    // Three lengths tell less about a needle than positions do.
+    EXPECT_NEAR(solver.distance(v), field[v], 1e-9 * field[v] + 1e-12 * mesh->longest_edge_length()) << v;
+  }
+}
+
 TEST(ExactFieldContract, ThousandsOfSourcesInOneFaceKeepAllTheirDigits) {
   // Each of them comes to the sides of its face on its own, which are taken no more often for that.
   const auto mesh = test::make_mesh(test::plane_grid(8, 8, 8, 8).soup);
