@@ -53,23 +53,25 @@ struct Division {
 /// Solutions in (l, r) of new.distance(x) = old.distance(x), in ascending order; spurious ones included.
 int crossings(const Window& a, const Window& b, double l, double r, std::array<double, 2>& x) {
   // sqrt(A) = d + sqrt(B) with d = b.offset - a.offset and A - B = linear, so linear - d^2 = 2 d sqrt(B).
+  // Counted from b's foot, and with the discriminant's common factor 4 d^2 taken out, little cancels.
   const double d = b.offset - a.offset;
-  const double slope = 2.0 * (b.source_x - a.source_x);
-  const double constant = (a.source_x - b.source_x) * (a.source_x + b.source_x) +
-                          (a.source_y - b.source_y) * (a.source_y + b.source_y) - d * d;
-  const double a2 = slope * slope - 4.0 * d * d;
-  const double a1 = slope * constant + 4.0 * d * d * b.source_x;  // half of the linear coefficient
-  const double a0 = constant * constant - 4.0 * d * d * (b.source_x * b.source_x + b.source_y * b.source_y);
-  const double discriminant = a1 * a1 - a2 * a0;
-  if (discriminant < 0.0) return 0;
-  const double q = -(a1 + std::copysign(std::sqrt(discriminant), a1));
+  const double across = a.source_x - b.source_x;
+  const double slope = -2.0 * across;
+  const double constant = across * across + (a.source_y - b.source_y) * (a.source_y + b.source_y) - d * d;
+  const double a2 = (slope - 2.0 * d) * (slope + 2.0 * d);
+  const double a1 = slope * constant;  // half of the linear coefficient
+  const double a0 = (constant - 2.0 * d * b.source_y) * (constant + 2.0 * d * b.source_y);
+  const double square = constant * constant + b.source_y * b.source_y * a2;
+  if (square < 0.0) return 0;
+  const double q = -(a1 + std::copysign(2.0 * std::abs(d) * std::sqrt(square), a1));
   std::array<double, 2> root{};
   int roots = 0;
   if (a2 != 0.0) root[roots++] = q / a2;
   if (q != 0.0) root[roots++] = a0 / q;
   int found = 0;
   for (int i = 0; i < roots; ++i) {
-    if (root[i] > l && root[i] < r) x[found++] = root[i];
+    const double at = b.source_x + root[i];
+    if (at > l && at < r) x[found++] = at;
   }
   if (found == 2 && x[0] > x[1]) std::swap(x[0], x[1]);
   return found;
@@ -150,8 +152,9 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
   // Zeros at the ends are found on either side of them, or not at all, and others by chance where both
   // pseudo-sources lie on the edge or far away. So they only tell where to look: at the ends, in the middle
   // of each part, and next to the pseudo-sources, as windows that tie far from these may differ by most of
-  // the distance there; by more than the rounding of other edges that both have crossed. Between two places
-  // with different owners there is a cut; places without a difference belong to either.
+  // the distance there. Except at the ends, a difference must exceed the rounding of a typical edge, as both
+  // windows have crossed others. Between two places with different owners there is a cut; places without a
+  // difference belong to either.
   std::array<double, 2> x{};
   const int zeros = crossings(fresh, old, l, r, x);
   std::array<double, 9> places{};

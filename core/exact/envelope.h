@@ -88,7 +88,7 @@ struct FirstLeg {
 /// edges touched only.
 class WindowEnvelope {
  public:
-  /// `typical`: length of an edge, by whose rounding windows of shorter edges differ, too.
+  /// `typical`: length of an edge, whose rounding windows on shorter edges carry, too.
   void resize(std::size_t edges, double typical = 0.0) {
     lists_.assign(edges, {});
     typical_ = typical;

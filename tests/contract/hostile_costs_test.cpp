@@ -169,7 +169,7 @@ TEST(IndexContract, FieldsOfAnIndexErrByAPercentAtMostOnSeedsThatErredByAThird) 
 }
 
 /// These seeds once were up to 46 % too long, where a window narrower than rounding had been merged, and 16 %
-/// too short, where a pseudo-source lies next to its edge.
+/// or 1.3 % too short, where a pseudo-source lies next to its edge.
 TEST(QuickContract, FieldsErrByAPercentAtMostOnSeedsThatErredByAHalf) {
   for (const unsigned seed : {4240001518U, 4230000766U, 4220000814U, 4270003514U}) {
     const auto mesh = test::make_mesh(test::hostile_mesh(seed, 60).soup);

@@ -39,8 +39,10 @@ class HostileCase {
   void note_error(ErrorKind kind, double actual, double exact);
 
   /// How far two exact results may be apart: 1e-9 of the distance, and what rounding makes of a position on
-  /// the longest edge of the mesh.
-  double slack(double distance) const { return 1e-9 * distance + 1e-15 * longest_; }
+  /// the longest edge of the mesh. None where there is no way.
+  double slack(double distance) const {
+    return distance < unreachable ? 1e-9 * distance + 1e-15 * longest_ : 0.0;
+  }
   /// Whether two vertices are connected through faces, found from the soup alone.
   bool connected(Index a, Index b) const { return component_[a] == component_[b]; }
   /// Complains where two fields differ by more than the slack and `more`.
