@@ -134,15 +134,15 @@ void HostileCase::note_error(ErrorKind kind, double actual, double exact_distanc
   tally.errors[static_cast<int>(kind)].add((actual - exact_distance) / exact_distance, seed);
 }
 
+void HostileCase::require_same(const std::string& law, Index v, double expected, double actual, double more) {
+  if (expected == actual || std::abs(expected - actual) <= slack(expected) + more) return;
+  fail(law, "vertex " + std::to_string(v) + ": " + exactly(actual) + ", not " + exactly(expected));
+}
+
 void HostileCase::require_same(const std::string& law, const std::function<double(Index)>& expected,
                                const std::function<double(Index)>& actual, double more) {
   const auto count = static_cast<Index>(hostile.soup.positions.size());
-  for (Index v = 0; v < count; ++v) {
-    const double a = expected(v);
-    const double b = actual(v);
-    if (a == b || std::abs(a - b) <= slack(a) + more) continue;
-    fail(law, "vertex " + std::to_string(v) + ": " + exactly(b) + ", not " + exactly(a));
-  }
+  for (Index v = 0; v < count; ++v) require_same(law, v, expected(v), actual(v), more);
 }
 
 void HostileCase::require_sound(const std::vector<double>& field, Index source, double along_edges) {

@@ -45,7 +45,9 @@ class HostileCase {
   }
   /// Whether two vertices are connected through faces, found from the soup alone.
   bool connected(Index a, Index b) const { return component_[a] == component_[b]; }
-  /// Complains where two fields differ by more than the slack and `more`.
+  /// Complains if two distances of a vertex differ by more than the slack and `more`.
+  void require_same(const std::string& law, Index v, double expected, double actual, double more = 0.0);
+  /// The same of two fields.
   void require_same(const std::string& law, const std::function<double(Index)>& expected,
                     const std::function<double(Index)>& actual, double more = 0.0);
   /// Whether a vertex lies so far away that rounding of its place, or of lengths, bends what leads to it.

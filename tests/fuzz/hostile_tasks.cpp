@@ -45,19 +45,21 @@ class TaskCheck {
     hostile_.ask("matrix of " + std::to_string(points_.size()) + " vertices");
     const std::size_t count = points_.size();
     std::vector<double> matrix(count * count);
-    distance_matrix<double>(surface_, PointList(points_), MatrixMethod::fields, matrix, exactly_);
+    distance_matrix<double>(surface_, PointList(points_), MatrixMethod::fields, matrix, by_exact_);
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t k = 0; k < count; ++k) {
         const double entry = matrix[i * count + k];
         if (entry != matrix[k * count + i]) hostile_.fail("a matrix is not symmetric", exactly(entry));
-        if (i < 2) require("a matrix has another distance", points_[k], entry, hostile_.exact[i][points_[k]]);
+        if (i < 2)
+          hostile_.require_same("a matrix has another distance", points_[k], hostile_.exact[i][points_[k]],
+                                entry);
       }
     }
   }
 
   void check_pairs_within() {
     hostile_.ask("pairs within " + exactly(radius_));
-    const SparseDistances pairs = pairs_within(surface_, PointList(points_), radius_, 0, exactly_);
+    const SparseDistances pairs = pairs_within(surface_, PointList(points_), radius_, 0, by_exact_);
     for (int i = 0; i < 2; ++i) {
       std::vector<double> row(points_.size(), unreachable);
       for (std::int64_t at = pairs.row_begin[i]; at < pairs.row_begin[i + 1]; ++at) {
@@ -67,8 +69,8 @@ class TaskCheck {
         if (static_cast<int>(k) == i) continue;
         const double exact = hostile_.exact[i][points_[k]];
         if (std::abs(exact - radius_) <= hostile_.slack(exact)) continue;
-        require("pairs within a radius are others", points_[k], row[k],
-                exact < radius_ ? exact : unreachable);
+        hostile_.require_same("pairs within a radius are others", points_[k],
+                              exact < radius_ ? exact : unreachable, row[k]);
       }
     }
   }
@@ -76,36 +78,36 @@ class TaskCheck {
   void check_nearest() {
     hostile_.ask("the nearer of both sources");
     const NearestOfSet nearest =
-        nearest_of_set(surface_, PointList(hostile_.sources), PointList(points_), 2, exactly_);
+        nearest_of_set(surface_, PointList(hostile_.sources), PointList(points_), 2, by_exact_);
     for (std::size_t k = 0; k < points_.size(); ++k) {
       const double first = hostile_.exact[0][points_[k]];
       const double second = hostile_.exact[1][points_[k]];
       const std::string kind = "the nearest of a set are others";
-      require(kind, points_[k], nearest.distance[2 * k], std::min(first, second));
-      require(kind, points_[k], nearest.distance[2 * k + 1], std::max(first, second));
+      hostile_.require_same(kind, points_[k], std::min(first, second), nearest.distance[2 * k]);
+      hostile_.require_same(kind, points_[k], std::max(first, second), nearest.distance[2 * k + 1]);
     }
   }
 
   void check_disk() {
     hostile_.ask("disk of radius " + exactly(radius_));
-    const Disk disk = geodesic_disk(surface_, PointList(std::array{hostile_.sources[0]}), radius_, exactly_);
+    const Disk disk = geodesic_disk(surface_, PointList(std::array{hostile_.sources[0]}), radius_, by_exact_);
     std::vector<double> inside(hostile_.mesh->vertex_count(), unreachable);
     for (std::size_t i = 0; i < disk.vertices.size(); ++i) inside[disk.vertices[i]] = disk.distance[i];
     for (Index v = 0; v < hostile_.mesh->vertex_count(); ++v) {
       const double exact = hostile_.exact[0][v];
       if (std::abs(exact - radius_) <= hostile_.slack(exact)) continue;
-      require("a disk has another vertex", v, inside[v], exact < radius_ ? exact : unreachable);
+      hostile_.require_same("a disk has another vertex", v, exact < radius_ ? exact : unreachable, inside[v]);
     }
   }
 
   void check_farthest() {
     hostile_.ask("samples far from each other");
     const FarthestSamples samples = sample_farthest(surface_, {.count = samples_asked},
-                                                    PointList(std::array{hostile_.sources[0]}), 0, exactly_);
+                                                    PointList(std::array{hostile_.sources[0]}), 0, by_exact_);
     const auto field = exact_distance_field(hostile_.mesh, PointList(samples.points).vertices());
-    for (Index v = 0; v < hostile_.mesh->vertex_count(); ++v) {
-      require("the distance from samples is another", v, samples.distance[v], field[v]);
-    }
+    hostile_.require_same(
+        "the distance from samples is another", [&](Index v) { return field[v]; },
+        [&](Index v) { return samples.distance[v]; });
     for (std::size_t i = 2; i < samples.radius.size(); ++i) {
       if (samples.radius[i] > samples.radius[i - 1] + hostile_.slack(samples.radius[i - 1]))
         hostile_.fail("a later sample is farther away", exactly(samples.radius[i]));
@@ -115,7 +117,7 @@ class TaskCheck {
   void check_poisson_disk() {
     if (!(radius_ > 0.0)) return;
     hostile_.ask("samples " + exactly(radius_) + " apart");
-    const std::vector<Index> samples = sample_poisson_disk(surface_, radius_, hostile_.seed, exactly_);
+    const std::vector<Index> samples = sample_poisson_disk(surface_, radius_, hostile_.seed, by_exact_);
     for (std::size_t i = 0; i < std::min(samples.size(), fields_of_samples); ++i) {
       const auto field = exact_distance_field(hostile_.mesh, std::array{samples[i]});
       for (const Index other : samples) {
@@ -132,10 +134,10 @@ class TaskCheck {
 
   void check_extent() {
     hostile_.ask("extent of the component of vertex " + std::to_string(hostile_.sources[0]));
-    const Extent extent = extent_of_component(surface_, hostile_.sources[0], fields_of_extent, exactly_);
+    const Extent extent = extent_of_component(surface_, hostile_.sources[0], fields_of_extent, by_exact_);
     const auto field = exact_distance_field(hostile_.mesh, std::array{extent.ends[0]});
-    require("the ends of a diameter are another distance apart", extent.ends[1], extent.diameter.lower,
-            field[extent.ends[1]]);
+    hostile_.require_same("the ends of a diameter are another distance apart", extent.ends[1],
+                          field[extent.ends[1]], extent.diameter.lower);
     const auto at_most = [&](double less, double more) { return less <= more + hostile_.slack(more); };
     if (!at_most(farthest_, extent.diameter.lower) ||
         !at_most(extent.diameter.lower, extent.diameter.upper) ||
@@ -148,18 +150,13 @@ class TaskCheck {
  private:
   static std::string vertex(Index v) { return "vertex " + std::to_string(v) + ": "; }
 
-  void require(const std::string& kind, Index v, double found, double exact) {
-    if (found == exact || std::abs(found - exact) <= hostile_.slack(exact)) return;
-    hostile_.fail(kind, vertex(v) + exactly(found) + ", not " + exactly(exact));
-  }
-
   HostileCase& hostile_;
   HostileRandom random_;
   Surface surface_;
   std::vector<Index> points_;  ///< the sources first
   double farthest_ = 0.0;      ///< vertex from the first source
   double radius_ = 0.0;
-  const TaskOptions exactly_{.by = Answer::exact};
+  const TaskOptions by_exact_{.by = Answer::exact};
 };
 
 }  // namespace
