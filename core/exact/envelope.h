@@ -124,6 +124,7 @@ class WindowEnvelope {
   /// `rounding`: how many times as much as elsewhere two windows may differ and be equal, no less than 1.
   void open(Index edge, const Sliver& sliver, double rounding = 1.0);
   void open(Index edge, double sliver) { open(edge, {sliver, sliver, 0.0}); }
+  double rounding() const { return rounding_; }
   /// Inserts a window into the open edge where it is shorter than the windows there, and cuts these back.
   /// Ties (relative 1e-12) are left with the older window, unless the new one is wider. `at_begin`, `at_end`:
   /// the window's distances at its ends, which the caller has at hand.

@@ -320,9 +320,8 @@ bool ExactSolver::State::open_edge(Index edge) {
   from_second = vertices[b].distance;
   if (has_corridor) look_at_target();
   const double at_begin = least_width * geometry->scale_at(edge, 0.0, 0.0, open_length);
-  open_rounding = rounding_of(edge);
   envelope.open(edge, {at_begin, least_open_width, at_begin < least_open_width ? least_width : 0.0},
-                open_rounding);
+                rounding_of(edge));
   return true;
 }
 
@@ -367,8 +366,8 @@ bool ExactSolver::State::is_narrow(Index edge, const Window& window, double roun
 }
 
 inline bool ExactSolver::State::is_sliver(const Window& window) const {
-  return !(window.end - window.begin > least_open_width * open_rounding) &&
-         is_narrow(open, window, open_rounding);
+  return !(window.end - window.begin > least_open_width * envelope.rounding()) &&
+         is_narrow(open, window, envelope.rounding());
 }
 
 inline void ExactSolver::State::insert_window(const Window& window) {

@@ -368,7 +368,6 @@ struct ExactSolver::State {
   Index open = no_index;
   double open_length = 0.0;
   double least_open_width = 0.0;
-  double open_rounding = 1.0;  ///< of the open edge: see rounding_of()
   double from_first = 0.0;
   double from_second = 0.0;
   double edge_in_space = 1.0;    ///< length of the open edge in space, relative to its length
