@@ -71,13 +71,16 @@ ExactGeometry::ExactGeometry(std::shared_ptr<const Mesh> shared_mesh) : mesh(std
   });
 
   can_bend.assign(mesh->vertex_count(), never);
-  for (const Index f : checked(mesh->face_count())) {
-    std::array<double, 3> side{};
-    for (int i = 0; i < 3; ++i) side[i] = mesh->edge_length(mesh->edge_of(3 * f + i));
-    for (int i = 0; i < 3; ++i) {
-      if (side[i] > next_to_nothing * std::max({side[0], side[1], side[2]})) continue;
-      can_bend[mesh->tail(3 * f + i)] = can_bend[mesh->head(3 * f + i)] = anywhere;
+  std::vector<double> shortest(mesh->vertex_count(), unreachable);
+  std::vector<double> longest(mesh->vertex_count(), 0.0);
+  for (const Index e : checked(mesh->edge_count())) {
+    for (Index v : mesh->edge_vertices(e)) {
+      shortest[v] = std::min(shortest[v], mesh->edge_length(e));
+      longest[v] = std::max(longest[v], mesh->edge_length(e));
     }
+  }
+  for (const Index v : checked(mesh->vertex_count())) {
+    if (shortest[v] <= next_to_nothing * longest[v]) can_bend[v] = anywhere;
   }
   flat_height.assign(mesh->vertex_count(), 0.0f);
   corner_begin.assign(halfedges, 0.0);

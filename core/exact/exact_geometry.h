@@ -61,12 +61,13 @@ struct ExactGeometry {
     return std::min(length, fineness[edge] + std::abs(x) + distance);
   }
   bool is_long(Index edge) const { return !fineness.empty() && fineness[edge] > 0.0; }
-  /// A length that is smaller than another one of its face by this factor is within the rounding of positions
-  /// there.
+  /// A length that is smaller than another one at the same vertex or face by this factor is within the
+  /// rounding of positions there.
   static constexpr double next_to_nothing = 1e-7;
   /// Whether a shortest path may bend at a vertex: total angle at least 2 pi, on a border of the mesh, or
-  /// non-manifold. `anywhere` at the ends of edges of negligible length: positions on the edges around do not
-  /// tell on which side of such an end a path passes, so it sends out windows in all directions.
+  /// non-manifold. `anywhere` at vertices with an edge of negligible length next to their longest one:
+  /// positions on the edges around do not tell on which side of them a path passes, so they send out windows
+  /// in all directions.
   enum Bend : std::uint8_t { never, by_angle, anywhere };
   std::vector<Bend> can_bend;
   /// By vertex: where paths bend by angle but the surface is flat up to rounding, or its border straight, the

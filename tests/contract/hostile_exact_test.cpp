@@ -110,6 +110,21 @@ TEST_P(ExactContract, ATracedPathIsAsLongAsTheField) {
   }
 }
 
+TEST_P(ExactContract, WavesFromEveryVertexInEveryDirectionChangeNoDistance) {
+  const auto everywhere = std::make_shared<ExactGeometry>(mesh_);
+  std::ranges::fill(everywhere->can_bend, ExactGeometry::anywhere);
+  ExactSolver solver(mesh_);
+  ExactSolver fuller{std::shared_ptr<const ExactGeometry>(everywhere)};
+  for (const Index source : GetParam().sources) {
+    const std::vector<double> field = field_of(solver, source, {.distances_only = true});
+    const std::vector<double> full = field_of(fuller, source, {.distances_only = true});
+    for (Index v = 0; v < mesh_->vertex_count(); ++v) {
+      if (full[v] == field[v]) continue;
+      ASSERT_NEAR(full[v], field[v], slack(*mesh_, field[v])) << "source " << source << ", vertex " << v;
+    }
+  }
+}
+
 // What each of them needs: parts of very different sizes, where items of the queue come late; windows that
 // tie with others at both ends of their overlap, or that equal ones would cut in two on each edge of a row of
 // needles; vertices in the gap between two windows, beside edges shrunk to next to nothing or on the edge
@@ -117,7 +132,8 @@ TEST_P(ExactContract, ATracedPathIsAsLongAsTheField) {
 // faces without width in a row; and vertices in one place with such faces between them, from where paths go
 // on in all directions and traces have to find their way back; flat vertices so close to each other that a
 // path past one ties with the path through it; vertices a hair beside the edge through which they are seen;
-// and slivers round which the waves of one thread go ahead of nearer ones that another has for them.
+// slivers round which the waves of one thread go ahead of nearer ones that another has for them; and vertices
+// with edges of next to no length beside some that are not, and then long ones.
 INSTANTIATE_TEST_SUITE_P(
     Seeds, ExactContract,
     testing::Values(Seed{600160, 4000, {1948, 3549}}, Seed{1011595, 2500, {364}},
@@ -134,7 +150,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Seed{3821607977, 200, {68}}, Seed{3900000397, 60, {244}, {223}},
                     Seed{3821607430, 200, {93}, {91}}, Seed{3821607695, 60, {63}, {64}},
                     Seed{2562, 60, {21}, {35}}, Seed{2912000987, 2500, {288}},
-                    Seed{4270006330, 60, {22, 25, 35}, {42, 52, 55}}),
+                    Seed{4270006330, 60, {22, 25, 35}, {42, 52, 55}}, Seed{4292000288, 2500, {5492}, {2552}},
+                    Seed{4270007201, 60, {2}, {26, 52}}),
     [](const auto& seed) { return std::to_string(seed.param.seed); });
 
 TEST(ExactFieldContract, FieldsBesideDebrisOfAScanAreTheSameFromAnyNumberOfThreads) {
