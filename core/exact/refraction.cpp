@@ -337,13 +337,10 @@ WaveParts wave_parts(const EdgeWave& first, const EdgeWave& second, double cost)
   const double at_first = second.along(-cost) - first.distance;
   const double at_second = first.along(cost) - second.distance;
   if (at_first >= 0.0 && at_second >= 0.0) return {};
-  double one = std::abs(at_first);
-  double other = std::abs(at_second);
-  if (at_first >= 0.0 || at_second >= 0.0) {
-    one = std::sqrt(one);
-    other = std::sqrt(other);
-  }
-  const double share = one / (one + other);
+  // The root of a ratio, not a ratio of roots, which is another in another unit.
+  double ratio = std::abs(at_second / at_first);
+  if (at_first >= 0.0 || at_second >= 0.0) ratio = std::sqrt(ratio);
+  const double share = 1.0 / (1.0 + ratio);
   return {std::min(1.0, share + overlap), std::max(0.0, share - overlap)};
 }
 
