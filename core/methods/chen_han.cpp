@@ -25,6 +25,10 @@ constexpr double tied_entries = 1e-9;
 /// Longer by more than rounding.
 bool is_longer(double a, double b) { return a > b * (1.0 + 1e-12); }
 
+bool has_more_than_two_faces(const Mesh& mesh, Index halfedge) {
+  return mesh.next_around_edge(mesh.next_around_edge(halfedge)) != halfedge;
+}
+
 }  // namespace
 
 WindowTree::WindowTree(std::shared_ptr<const ExactGeometry> geometry)
@@ -111,7 +115,7 @@ void WindowTree::run(std::span<const Index> sources, const TreeRules& rules) {
       const TreeWindow window = pool_[event.item];
       free_.push_back(event.item);
       // Its vertex has been reached by a shorter path since, and has sent out other windows.
-      if (is_longer(window.offset, distance_[window.root])) continue;
+      if (is_longer(window.offset, distance_[window.root]) || is_trimmed(window)) continue;
       cross(window);
     }
   }
@@ -135,6 +139,7 @@ void WindowTree::emit(Index vertex) {
     window.end_critical = length(previous);
     window.greatest = unreachable;
     window.root = vertex;
+    window.split_at = no_index;
     add(window, opposite, mesh_.tail(opposite));
   }
 }
@@ -196,17 +201,32 @@ void WindowTree::cross(const TreeWindow& window) {
   } else {
     const double known = apex_distance_[h];
     const bool wins = total < known * (1.0 - least_gain);
-    const double nearest_entry = apex_entry_[h];
     if (wins) {
       if (known == unreachable) touched_halfedges_.push_back(h);
       apex_distance_[h] = total;
       apex_entry_[h] = entry;
     }
-    // Rays that enter at one place, as behind a vertex that the path passes, cross on neither side.
-    const double tie = tied_entries * length(h);
-    if (wins || entry < nearest_entry + tie) hand_on(window, true, entry, true, plane_distance);
-    if (wins || entry > nearest_entry - tie) hand_on(window, false, entry, true, plane_distance);
+    for (const bool left : {true, false}) {
+      if (wins || keeps_side(h, left, entry)) hand_on(window, left, entry, true, plane_distance);
+    }
   }
+}
+
+/// Whether a window that does not reach the apex first is handed on to this side of it.
+bool WindowTree::keeps_side(Index halfedge, bool left, double entry) const {
+  // Rays that enter at one place, as behind a vertex that the path passes, cross on neither side.
+  const double tie = tied_entries * length(halfedge);
+  const double nearest = apex_entry_[halfedge];
+  return left ? entry < nearest + tie : entry > nearest - tie;
+}
+
+/// Whether a window belongs to the subtree that goes when another one reaches the apex first (Chen, Han,
+/// section 4): what was handed on to the side that is no longer kept. Looked up when its turn comes, at the
+/// last split alone.
+bool WindowTree::is_trimmed(const TreeWindow& window) const {
+  const Index h = window.split_at;
+  return h != no_index && is_longer(window.split_distance, apex_distance_[h]) &&
+         !keeps_side(h, window.split_left, window.split_entry);
 }
 
 /// To the side at the tail (left) or at the head of the window's half-edge.
@@ -239,7 +259,15 @@ void WindowTree::hand_on(const TreeWindow& window, bool left, double entry, bool
   child.begin_critical = left ? window.begin_critical : window.end_critical;
   child.end_critical = to_apex ? apex_distance : (left ? window.end_critical : window.begin_critical);
   ++child.level;
-  if (rules_.filtered) {
+  if (to_apex) {
+    child.split_at = h;
+    child.split_left = left;
+    child.split_entry = entry;
+    child.split_distance = window.offset + apex_distance;
+  }
+  // One angle, one split bounds what is handed on over edges of two faces only: over one of more, each would
+  // have children in all of them, and there are as many ways round.
+  if (rules_.filtered || has_more_than_two_faces(mesh_, side)) {
     // The third vertex lies at (crossed, 0), the window's beginning at that part of the line to the apex.
     const double part = child.begin / whole;
     const double to_third = std::hypot(crossed - part * ax, part * ay);
@@ -263,8 +291,9 @@ bool WindowTree::is_overtaken(const TreeWindow& window, double whole, const std:
 
 namespace {
 
-/// Windows that take about a minute without order and filter.
+/// Windows that take about a minute without order and filter, and how many there are at most of two faces.
 constexpr double windows_to_warn = 3e8;
+constexpr double windows_of_two_faces = 4.0;
 
 class ChenHan final : public GeodesicMethod {
  public:
@@ -299,7 +328,8 @@ MethodEntry ch_entry() {
            false},
           prepared<ChenHan>,
           [](const Mesh& mesh) -> std::string {
-            const double windows = static_cast<double>(mesh.face_count()) * mesh.face_count();
+            const double faces = mesh.face_count();
+            const double windows = windows_of_two_faces * faces * faces;
             if (windows < windows_to_warn) return "";
             std::ostringstream text;
             text.precision(2);

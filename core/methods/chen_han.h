@@ -54,6 +54,11 @@ class WindowTree {
     Index halfedge;
     Index root;
     Index level;
+    /// The half-edge at which the last of the windows before it was split at the ray to the apex, which part
+    /// this one is of, where that ray entered, and how far away the apex was along it.
+    Index split_at;
+    bool split_left;
+    double split_entry, split_distance;
   };
   struct Event {
     double key;
@@ -66,6 +71,8 @@ class WindowTree {
   void reach(Index vertex, double distance);
   void emit(Index vertex);
   void cross(const TreeWindow& window);
+  bool keeps_side(Index halfedge, bool left, double entry) const;
+  bool is_trimmed(const TreeWindow& window) const;
   void hand_on(const TreeWindow& window, bool left, double entry, bool to_apex, double apex_distance);
   void add(const TreeWindow& window, Index side, Index origin);
   bool is_overtaken(const TreeWindow& window, double whole, const std::array<Index, 3>& corners,

@@ -1,8 +1,14 @@
 // Methods by windows: exact ones, merged windows, virtual sources and the tree of windows.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "methods/chen_han.h"
 #include "support/indexes.h"
@@ -62,7 +68,7 @@ TEST(ChenHanMethods, ChWarnsBeforeLargeMeshes) {
   const auto& warning = method_named("ch").warning;
   EXPECT_EQ(warning(*test::make_mesh(test::icosphere(3))), "");
   EXPECT_NE(
-      warning(*test::make_mesh(test::icosphere(5))).find("up to 4.2e+08 windows on this mesh of 20480 faces"),
+      warning(*test::make_mesh(test::icosphere(5))).find("up to 1.7e+09 windows on this mesh of 20480 faces"),
       std::string::npos);
 }
 
@@ -126,6 +132,36 @@ TEST(WindowTree, OrderAndFilterSpareWindowsButChangeNoDistance) {
     tree.run({&source, 1}, {.ordered = ordered, .filtered = filtered});
     for (std::size_t v = 0; v < expected.size(); ++v) ASSERT_NEAR(tree.distance(v), expected[v], 1e-9);
     EXPECT_GT(tree.window_count(), fewest);
+  }
+}
+
+TEST(WindowTree, IsNoLargerWhereTwoSurfacesShareEdges) {
+  // Two dented spheres that share three edges, over which each window comes to three faces.
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  test::Soup soup = test::random_sphere(300, seed);
+  const auto count = static_cast<Index>(soup.positions.size());
+  const std::vector<std::array<Index, 3>> faces = soup.faces;
+  std::vector<Index> copy(count);
+  for (Index v = 0; v < count; ++v) copy[v] = count + v;
+  for (const std::size_t f : {0, 100, 200}) {
+    for (const Index v : {faces[f][0], faces[f][1]}) copy[v] = v;
+  }
+  for (Index v = 0; v < count; ++v) {
+    const auto [x, y, z] = soup.positions[v];
+    soup.positions.push_back({1.3 * x, 0.8 * y, 1.1 * z + 0.2 * std::sin(5.0 * x)});
+  }
+  for (const auto& [a, b, c] : faces) soup.faces.push_back({copy[a], copy[b], copy[c]});
+  const auto mesh = test::make_mesh(soup);
+  WindowTree tree(std::make_shared<const ExactGeometry>(mesh));
+  const std::array<Index, 1> source{7};
+  const std::vector<double> exact = exact_distance_field(mesh, source);
+  tree.run(source, {.ordered = false, .filtered = false});
+  const auto all = static_cast<double>(soup.faces.size());
+  EXPECT_LT(static_cast<double>(tree.window_count()), 6.0 * all * all);
+  for (Index v = 0; v < mesh->vertex_count(); ++v) {
+    if (exact[v] == unreachable) continue;  // a vertex whose place on the shared edges another has
+    ASSERT_NEAR(tree.distance(v), exact[v], 1e-9) << v;
   }
 }
 
