@@ -14,9 +14,8 @@ namespace vorogeo {
 
 namespace {
 
-/// Relative: distances this close are the same. Each face that is crossed adds a unit in the last place; a
-/// tie that is none leaves the rays of one of two windows out, and what only these see is reached by a
-/// detour.
+/// Relative: distances this close are the same. Each face that is crossed adds a unit in the last place.
+/// Windows wrongly taken for tied lose rays, and what only these see is reached by a detour.
 constexpr double tie = 2e-13;
 /// Of positions, relative to the greatest on the part of an edge that is divided, or on a long edge to that
 /// of the pseudo-source: some units in the last place, as a ray that turns about a vertex crosses several

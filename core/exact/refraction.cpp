@@ -337,7 +337,7 @@ WaveParts wave_parts(const EdgeWave& first, const EdgeWave& second, double cost)
   const double at_first = second.along(-cost) - first.distance;
   const double at_second = first.along(cost) - second.distance;
   if (at_first >= 0.0 && at_second >= 0.0) return {};
-  // The root of a ratio, not a ratio of roots, which is another in another unit.
+  // The root of a ratio: a ratio of roots is rounded differently in another unit.
   double ratio = std::abs(at_second / at_first);
   if (at_first >= 0.0 || at_second >= 0.0) ratio = std::sqrt(ratio);
   const double share = 1.0 / (1.0 + ratio);

@@ -86,12 +86,12 @@ struct Side {
     auto from_apex = [&](double x) {
       const double aside = sign * (x - window.source_x);
       const double from_shared = second ? crossed_length - x : x;
-      const double passed = crossing(from_shared, from_shared - aside, source_y);
-      // Next to the apex, from the ray to it; next to the shared vertex, that is too far to have its digits.
       const double denominator = source_y * apex_x - aside * apex_depth;
-      if (passed > 0.5 * length && denominator > 0.0)
-        return inside(length * std::min(1.0, sign * (to_apex - x) * height / denominator));
-      return inside(length - passed);
+      if (!(denominator > 0.0)) return inside(length - crossing(from_shared, from_shared - aside, source_y));
+      // Next to the apex, from the ray to it; next to the shared vertex, that is too far to have its digits.
+      const double passed = length * std::min(1.0, from_shared * source_y / denominator);
+      if (passed <= 0.5 * length) return inside(length - passed);
+      return inside(length * std::min(1.0, sign * (to_apex - x) * height / denominator));
     };
     const double source_x = second ? crossed_length - window.source_x : window.source_x;
     double turned_x = sign * (apex_along - window.source_x) * cosine + height * sine;

@@ -140,6 +140,7 @@ void WindowTree::emit(Index vertex) {
     window.greatest = unreachable;
     window.root = vertex;
     window.split_at = no_index;
+    window.branched = has_more_than_two_faces(mesh_, opposite);
     add(window, opposite, mesh_.tail(opposite));
   }
 }
@@ -206,8 +207,11 @@ void WindowTree::cross(const TreeWindow& window) {
       apex_distance_[h] = total;
       apex_entry_[h] = entry;
     }
+    // Beyond an edge of more than two faces, what is nearer may have come by another of these, and crosses
+    // no ray of this window.
     for (const bool left : {true, false}) {
-      if (wins || keeps_side(h, left, entry)) hand_on(window, left, entry, true, plane_distance);
+      if (wins || window.branched || keeps_side(h, left, entry))
+        hand_on(window, left, entry, true, plane_distance);
     }
   }
 }
@@ -220,9 +224,8 @@ bool WindowTree::keeps_side(Index halfedge, bool left, double entry) const {
   return left ? entry < nearest + tie : entry > nearest - tie;
 }
 
-/// Whether a window belongs to the subtree that goes when another one reaches the apex first (Chen, Han,
-/// section 4): what was handed on to the side that is no longer kept. Looked up when its turn comes, at the
-/// last split alone.
+/// Whether a window belongs to the subtree that goes when another one reaches the apex first: what was handed
+/// on to the side that is no longer kept. Looked up when its turn comes, at the last split alone.
 bool WindowTree::is_trimmed(const TreeWindow& window) const {
   const Index h = window.split_at;
   return h != no_index && is_longer(window.split_distance, apex_distance_[h]) &&
@@ -259,15 +262,16 @@ void WindowTree::hand_on(const TreeWindow& window, bool left, double entry, bool
   child.begin_critical = left ? window.begin_critical : window.end_critical;
   child.end_critical = to_apex ? apex_distance : (left ? window.end_critical : window.begin_critical);
   ++child.level;
-  if (to_apex) {
+  if (to_apex && !window.branched) {
     child.split_at = h;
     child.split_left = left;
     child.split_entry = entry;
     child.split_distance = window.offset + apex_distance;
   }
-  // One angle, one split bounds what is handed on over edges of two faces only: over one of more, each would
-  // have children in all of them, and there are as many ways round.
-  if (rules_.filtered || has_more_than_two_faces(mesh_, side)) {
+  // One angle, one split does not hold behind an edge of more than two faces, and windows have children in
+  // all of them: without the filter, there are as many as ways round.
+  child.branched = window.branched || has_more_than_two_faces(mesh_, side);
+  if (rules_.filtered || child.branched) {
     // The third vertex lies at (crossed, 0), the window's beginning at that part of the line to the apex.
     const double part = child.begin / whole;
     const double to_third = std::hypot(crossed - part * ax, part * ay);
@@ -291,9 +295,10 @@ bool WindowTree::is_overtaken(const TreeWindow& window, double whole, const std:
 
 namespace {
 
-/// Windows that take about a minute without order and filter, and how many there are at most of two faces.
+/// Windows that take about a minute without order and filter, and about how many there are for each pair of
+/// faces.
 constexpr double windows_to_warn = 3e8;
-constexpr double windows_of_two_faces = 4.0;
+constexpr double windows_per_pair = 5.0;
 
 class ChenHan final : public GeodesicMethod {
  public:
@@ -329,12 +334,11 @@ MethodEntry ch_entry() {
           prepared<ChenHan>,
           [](const Mesh& mesh) -> std::string {
             const double faces = mesh.face_count();
-            const double windows = windows_of_two_faces * faces * faces;
+            const double windows = windows_per_pair * faces * faces;
             if (windows < windows_to_warn) return "";
             std::ostringstream text;
             text.precision(2);
-            text << "The method ch makes up to " << windows << " windows on this mesh of "
-                 << mesh.face_count()
+            text << "The method ch makes some " << windows << " windows on this mesh of " << mesh.face_count()
                  << " faces, for minutes to days. The methods ich and mmp give the same distances sooner.";
             return text.str();
           }};

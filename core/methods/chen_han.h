@@ -54,10 +54,12 @@ class WindowTree {
     Index halfedge;
     Index root;
     Index level;
-    /// The half-edge at which the last of the windows before it was split at the ray to the apex, which part
+    /// The half-edge at which the last of the windows before it was split at the ray to the apex. Which part
     /// this one is of, where that ray entered, and how far away the apex was along it.
     Index split_at;
     bool split_left;
+    /// Whether an edge of more than two faces lies between its root and its edge, or is that edge.
+    bool branched;
     double split_entry, split_distance;
   };
   struct Event {
