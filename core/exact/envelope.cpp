@@ -162,7 +162,10 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
   std::array<double, 9> places{};
   int count = 0;
   auto add = [&](double at) {
-    if (at > l && at < r) places[count++] = at;
+    if (!(at > l && at < r)) return;
+    int place = count++;
+    for (; place > 0 && places[place - 1] > at; --place) places[place] = places[place - 1];
+    places[place] = at;
   };
   for (int i = 0; i <= zeros; ++i) add(0.5 * ((i == 0 ? l : x[i - 1]) + (i == zeros ? r : x[i])));
   for (const Window* window : {&fresh, &old}) add(window->source_x);
@@ -171,7 +174,6 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
     add(x[i] - away);
     add(x[i] + away);
   }
-  std::sort(places.begin(), places.begin() + count);
   double decided_at = l;
   bool is_decided = false;
   bool last_is_new = false;
