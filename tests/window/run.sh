@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Tests the plugin in the real MeshLab window, on a virtual display: the MeshLab of a Debian in a root of its own.
 #
-# Usage: tests/window/run.sh [--large] [--zip FILE] [2022.02|2025.07]... [-- PYTEST OPTIONS]
+# Usage: tests/window/run.sh [--large | --random COUNT] [--zip FILE] [2022.02|2025.07]... [-- PYTEST OPTIONS]
 #   --large: instead of the tests, work on a mesh of two million vertices, some half an hour on two idle cores; prints the
 #     time of each filter and the longest time in which the window did not answer (tests/window/large_mesh.py).
+#   --random: instead of the tests, so many sequences of random steps (tests/window/random_steps.py), some ten seconds each.
 #   --zip: test the plugin in this archive (plugin/build_zip.sh) instead of one that is built here.
 #   Without a version: both, 2022.02 only through what differs between the two. The first time it downloads some 700 MB and
 #   takes several minutes; later it takes about one per version. Pictures: build/window/VERSION/seen/shots. Needs what
@@ -14,10 +15,12 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 versions=()
 large=no
+random=
 zip=
 while [ $# -gt 0 ] && [ "$1" != -- ]; do
   case "$1" in
     --large) large=yes ;;
+    --random) random="$2"; shift ;;
     --zip) zip="$2"; shift ;;
     *) versions+=("$1") ;;
   esac
@@ -28,9 +31,9 @@ done
 python="$PWD/.venv/bin/python"
 say() { printf 'window %s: %s\n' "$version" "$*"; }
 
-# Usage: drive SECONDS SCRIPT FOLDER
+# Usage: drive SECONDS SCRIPT FOLDER [ARGUMENTS]
 drive() {
-  timeout "$1" tests/roots/in_root.sh "$root" dbus-run-session -- python3 "/project/tests/window/$2.py" "/project/$3"
+  timeout "$1" tests/roots/in_root.sh "$root" dbus-run-session -- python3 "/project/tests/window/$2.py" "/project/$3" "${@:4}"
 }
 
 for version in "${versions[@]}"; do
@@ -59,6 +62,16 @@ for version in "${versions[@]}"; do
     exec {lock}>&-
     continue
   fi
+  if [ -n "$random" ]; then
+    say "driving MeshLab through $random sequences of random steps (pictures: $folder/random/shots)"
+    rm -rf "$folder/random"
+    "$python" tests/window/make_meshes.py "$folder/random/meshes"
+    log="$folder/random/run.log"
+    drive $((300 + 60 * random)) random_steps "$folder/random" "$random" >"$log" 2>&1 || tail -n 15 "$log"
+    VOROGEO_WINDOW_RESULTS="$PWD/$folder/random" "$python" -m pytest -q -p no:cacheprovider tests/window/test_random_steps.py "$@"
+    exec {lock}>&-
+    continue
+  fi
   # What is refused, edited and scripted is the same code under both versions; starting, dialogs and loading are not.
   scripts=(scenario ruler ruler_layer ruler_table ruler_choices loading extra_folder)
   judges=(tests/window/test_{window,ruler,ruler_table,ruler_choices,loading}.py)
@@ -66,8 +79,8 @@ for version in "${versions[@]}"; do
     scripts=(scenario loading)
     judges=(tests/window/test_{window,loading}.py -k "not one_user")
   elif [ "$version" = 2025.07 ]; then
-    scripts=(scenario refusals filter_script edits ruler ruler_layer ruler_table ruler_choices ruler_snapshot ruler_density loading
-      extra_folder)
+    scripts=(scenario refusals filter_script edits random_steps ruler ruler_layer ruler_table ruler_choices ruler_snapshot
+      ruler_density loading extra_folder)
     judges=(tests/window)
   fi
   say "driving MeshLab (pictures: $folder/seen/shots)"
