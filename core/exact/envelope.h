@@ -126,7 +126,7 @@ class WindowEnvelope {
   void open(Index edge, double sliver) { open(edge, {sliver, sliver, 0.0}); }
   double rounding() const { return rounding_; }
   /// Inserts a window into the open edge where it is shorter than the windows there, and cuts these back.
-  /// Ties (relative 1e-12) are left with the older window, unless the new one is wider. `at_begin`, `at_end`:
+  /// Ties (relative 2e-13) are left with the older window, unless the new one is wider. `at_begin`, `at_end`:
   /// the window's distances at its ends, which the caller has at hand.
   void insert(const Window& window, double at_begin, double at_end) {
     const bool free = left_end_ <= window.begin + sliver_.at(window.begin, at_begin) &&

@@ -71,16 +71,14 @@ ExactGeometry::ExactGeometry(std::shared_ptr<const Mesh> shared_mesh) : mesh(std
   });
 
   can_bend.assign(mesh->vertex_count(), never);
-  std::vector<double> shortest(mesh->vertex_count(), unreachable);
   std::vector<double> longest(mesh->vertex_count(), 0.0);
   for (const Index e : checked(mesh->edge_count())) {
-    for (Index v : mesh->edge_vertices(e)) {
-      shortest[v] = std::min(shortest[v], mesh->edge_length(e));
-      longest[v] = std::max(longest[v], mesh->edge_length(e));
-    }
+    for (Index v : mesh->edge_vertices(e)) longest[v] = std::max(longest[v], mesh->edge_length(e));
   }
-  for (const Index v : checked(mesh->vertex_count())) {
-    if (shortest[v] <= next_to_nothing * longest[v]) can_bend[v] = anywhere;
+  for (const Index e : checked(mesh->edge_count())) {
+    for (Index v : mesh->edge_vertices(e)) {
+      if (mesh->edge_length(e) <= next_to_nothing * longest[v]) can_bend[v] = anywhere;
+    }
   }
   flat_height.assign(mesh->vertex_count(), 0.0f);
   corner_begin.assign(halfedges, 0.0);
