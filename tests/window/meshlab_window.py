@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -251,3 +252,18 @@ class MeshLabWindow(Screen):
         self.click(self.find(Atspi.Role.RADIO_BUTTON, "All", box)[0])
         self.press(box, "OK")
         wait_for("the mesh to be saved", lambda: any("Saved" in line for line in self.log_lines()[already:]))
+
+    def close_without_saving(self) -> None:
+        """Answer the question whether changes are to be saved, if it comes."""
+        time.sleep(2.0)
+        box = self.message_box()
+        if box is not None:
+            self.press(box, "Close without saving", "Discard", "Yes")
+
+    def quit(self) -> float:
+        """Leave the program by its menu. Returns the seconds until the process has ended."""
+        begin = time.monotonic()
+        self.keys("ctrl+q")
+        self.close_without_saving()
+        wait_for("the program to end", lambda: not self.is_alive(), 60)
+        return time.monotonic() - begin

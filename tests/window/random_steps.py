@@ -2,7 +2,7 @@
 
 Usage: random_steps.py FOLDER [COUNT [FIRST_SEED]]
 Each sequence goes on with the mesh that the one before left, and ends with a distance that is saved;
-test_random_steps.py judges it (see script.py).
+test_random_steps.py judges it (see script.py). Now and then MeshLab is left, and started with the mesh as it was made.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from screen import wait_for
 from script import Fields, Script
 
 SEQUENCES = 3
+SEQUENCES_A_WINDOW = 25  #: MeshLab keeps what it draws with for each filter applied: some 28 MB without a graphics card
 STEPS = (2, 6)
 FEWEST = 1500  #: vertices that are left whatever the steps delete
 MOST_DELETED = 4
@@ -36,9 +37,15 @@ class RandomSteps(Script):
         """Everything."""
         count = int(sys.argv[2]) if len(sys.argv) > 2 else SEQUENCES
         first = int(sys.argv[3]) if len(sys.argv) > 3 else random.SystemRandom().randrange(10**6)
-        self.deleted = 0
+        mesh = self.mesh("terrain").read_bytes()
         self.seen["sequences"] = []
         for seed in range(first, first + count):
+            if (seed - first) % SEQUENCES_A_WINDOW == 0:
+                self.deleted = 0
+                if seed > first:
+                    self.window.quit()
+                    self.mesh("terrain").write_bytes(mesh)
+                    self.window = self.open()
             self.sequence(seed)
 
     def sequence(self, seed: int) -> None:

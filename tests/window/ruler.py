@@ -167,21 +167,6 @@ class RulerWindow(MeshLabWindow):
         self.press(box, "OK")
         wait_for("the layer to be saved", lambda: any("Saved" in line for line in self.log_lines()[already:]))
 
-    def close_without_saving(self) -> None:
-        """Answer the question whether changes are to be saved, if it comes."""
-        time.sleep(2.0)
-        box = self.message_box()
-        if box is not None:
-            self.press(box, "Close without saving", "Discard", "Yes")
-
-    def quit(self) -> float:
-        """Leave the program by its menu. Returns the seconds until the process has ended."""
-        begin = time.monotonic()
-        self.keys("ctrl+q")
-        self.close_without_saving()
-        wait_for("the program to end", lambda: not self.is_alive(), 60)
-        return time.monotonic() - begin
-
     def wait_for_line(self, begin: str, already: int, seconds: float = 60) -> None:
         """Wait for one more line of the ruler."""
         wait_for(
