@@ -1,8 +1,6 @@
 // The public interface over the core, which translates numbers, points and options in both
 // directions.
 #include <algorithm>
-#include <mutex>
-#include <new>
 #include <optional>
 #include <utility>
 

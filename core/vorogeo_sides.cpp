@@ -1,6 +1,5 @@
 // The public interface over the core: distances with a sign, their derivatives, cut loci, texture
 // coordinates.
-#include <optional>
 #include <utility>
 
 #include "public_interface.h"

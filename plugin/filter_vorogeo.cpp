@@ -5,7 +5,6 @@
 #include <chrono>
 #include <exception>
 #include <new>
-#include <utility>
 
 #include "edit/ruler_tool.h"
 #include "filters/rows.h"

@@ -2,20 +2,12 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "exact/exact_geometry.h"
+#include "mesh/vectors.h"
 
 namespace vorogeo {
-
-using PlanePoint = std::array<double, 2>;
-
-inline PlanePoint minus_in_plane(const PlanePoint& a, const PlanePoint& b) {
-  return {a[0] - b[0], a[1] - b[1]};
-}
-inline double dot_in_plane(const PlanePoint& a, const PlanePoint& b) { return a[0] * b[0] + a[1] * b[1]; }
-inline double cross_in_plane(const PlanePoint& a, const PlanePoint& b) { return a[0] * b[1] - a[1] * b[0]; }
 
 /// Where positions on the edge begin, and the unit vectors along it and into the face.
 struct EdgeAxes {

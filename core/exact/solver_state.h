@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include "exact/envelope.h"

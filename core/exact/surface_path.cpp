@@ -1,7 +1,6 @@
 // Lengths of steps by the sides of the face they lie in, which rounding hurts least.
 #include "exact/surface_path.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -89,7 +89,6 @@ std::vector<Index> grow_patches(const Mesh& mesh) {
   return patch;
 }
 
-/// The owner of each patch.
 std::vector<std::uint8_t> deal(const Mesh& mesh, const std::vector<Index>& patch, int owners) {
   std::vector<std::array<Index, 2>> borders;  // one for each edge between two patches, from either side
   for (Index h = 0; h < 3 * mesh.face_count(); ++h) {

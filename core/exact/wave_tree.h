@@ -1,7 +1,6 @@
 // Which wave reaches which part of an edge, and through what it came there: all paths of a run as one tree.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <span>

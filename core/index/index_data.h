@@ -71,12 +71,7 @@ struct IndexData {
     return std::views::iota(first_child[first_layer_patch], first_child[first_layer_patch + 1]);
   }
 
-  /// Row of a place in a second-layer patch; no_index if it is not on the border of that patch.
-  Index row_in_patch(Index patch, Index vertex) const {
-    const Index node = second.place_node[vertex];
-    return node == no_index ? no_index : second.row_of(node, patch);
-  }
-  /// Its column among the members of a second-layer patch; no_index if it is not a member.
+  /// Column of a place among the members of a second-layer patch; no_index if it is not a member.
   Index column_in_patch(Index patch, Index vertex) const {
     const Index node = second.place_node[vertex];
     if (node != no_index) return second.row_of(node, patch);

@@ -2,7 +2,6 @@
 #include "index/patch_layer.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "index/inner_surface.h"
 #include "index/scans.h"

@@ -2,10 +2,8 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -147,6 +145,11 @@ struct PatchLayer {
       if (at.patch == patch) return at.row;
     }
     return no_index;
+  }
+  /// The same of a place; no_index also if it is on no border.
+  Index row_in(Index place, Index patch) const {
+    const Index node = place_node[place];
+    return node == no_index ? no_index : row_of(node, patch);
   }
   std::span<const BorderNeighbour> neighbours(Index patch, Index row) const {
     return neighbour[slot(patch, row)];

@@ -2,11 +2,11 @@
 #include "index/transit_graph.h"
 
 #include <numeric>
-#include <queue>
 #include <tuple>
 
 #include "index/boundary_dijkstra.h"
 #include "support/parallel.h"
+#include "support/vertex_search.h"
 
 namespace vorogeo {
 
@@ -60,27 +60,11 @@ std::vector<KeptArc> prune_patch(const PatchLayer& layer, Index patch, double de
 
 /// Distances from one node over the whole graph.
 std::vector<double> graph_distances(const TransitGraph& graph, Index start) {
-  std::vector<double> distance(graph.arc_begin.size() - 1, unreachable);
-  using Entry = std::pair<double, Index>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  constexpr int nodes_per_checkpoint = 256;
-  int taken = 0;
-  distance[start] = 0.0;
-  queue.emplace(0.0, start);
-  while (!queue.empty()) {
-    const auto [key, node] = queue.top();
-    queue.pop();
-    if (++taken % nodes_per_checkpoint == 0) checkpoint();
-    if (key > distance[node]) continue;
-    for (const Arc& arc : graph.arcs(node)) {
-      const double through = key + arc.length;
-      if (through < distance[arc.target]) {
-        distance[arc.target] = through;
-        queue.emplace(through, arc.target);
-      }
-    }
+  VertexSearch search(static_cast<Index>(graph.arc_begin.size() - 1), {&start, 1});
+  for (Index node = search.settle_next(); node != no_index; node = search.settle_next()) {
+    for (const Arc& arc : graph.arcs(node)) search.lower(arc.target, search.distance(node) + arc.length);
   }
-  return distance;
+  return search.distances();
 }
 
 }  // namespace

@@ -159,7 +159,6 @@ class BorderSides {
     }
   }
 
-  /// The point of a side nearest to a position.
   Point nearest_on(Index side, const Point& position) const {
     const Point& a = mesh_.position(sides_[side].tail);
     const Point& b = mesh_.position(sides_[side].head);

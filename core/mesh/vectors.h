@@ -30,6 +30,25 @@ inline double along_segment(const Point& p, const Point& a, const Point& b) {
   return square > 0.0 ? std::clamp(dot(minus(p, a), ab) / square, 0.0, 1.0) : 0.0;
 }
 
+// ---- The same in a plane
+
+using PlanePoint = std::array<double, 2>;
+
+inline double dot_in_plane(const PlanePoint& a, const PlanePoint& b) { return a[0] * b[0] + a[1] * b[1]; }
+inline PlanePoint minus_in_plane(const PlanePoint& a, const PlanePoint& b) {
+  return {a[0] - b[0], a[1] - b[1]};
+}
+inline double cross_in_plane(const PlanePoint& a, const PlanePoint& b) { return a[0] * b[1] - a[1] * b[0]; }
+/// Above 0 if c lies to the left of the ray from a through b.
+inline double turn_in_plane(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+/// Three times as fast as std::hypot, and not always the same to the last bit.
+inline double straight_in_plane(const PlanePoint& a, const PlanePoint& b) {
+  const double x = a[0] - b[0], y = a[1] - b[1];
+  return std::sqrt(x * x + y * y);
+}
+
 // ---- The area of a triangle from its sides
 
 /// Twice the area of a triangle with these sides, with all the digits that they determine; 0 if one is longer

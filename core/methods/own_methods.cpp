@@ -1,6 +1,5 @@
 // What of the product is a method among others: the index, the exact solver (MMP, AMMP), virtual sources
 // (GSP).
-#include <array>
 
 #include "exact/exact_solver.h"
 #include "index/geodesic_index.h"

@@ -24,19 +24,6 @@ constexpr double max_aside = 0.6;
 /// apex is placed with so much rounding that their direction is unknown.
 constexpr double least_length = 1e-12;
 
-using PlanePoint = std::array<double, 2>;
-
-double between(const PlanePoint& a, const PlanePoint& b) {
-  const double x = a[0] - b[0];
-  const double y = a[1] - b[1];
-  return std::sqrt(x * x + y * y);
-}
-
-/// Above 0 if c lies to the left of the ray from a through b.
-double side(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
-  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
-
 }  // namespace
 
 VirtualSources::VirtualSources(std::shared_ptr<const Mesh> mesh)
@@ -137,10 +124,10 @@ void VirtualSources::start_in(Index corner) {
   found.at = own == side ? PlanePoint{} : own == (side + 1) % 3 ? PlanePoint{edge, 0.0} : apex;
   found.sigma = offset;
   found.base = 3 * face + side;
-  reach_vertex(tail, offset + between(found.at, {0.0, 0.0}));
-  reach_vertex(head, offset + between(found.at, {edge, 0.0}));
-  reach_vertex(opposite, offset + between(found.at, apex));
-  const double distance = offset + between(found.at, {(edge + apex[0]) / 3.0, apex[1] / 3.0});
+  reach_vertex(tail, offset + straight_in_plane(found.at, {0.0, 0.0}));
+  reach_vertex(head, offset + straight_in_plane(found.at, {edge, 0.0}));
+  reach_vertex(opposite, offset + straight_in_plane(found.at, apex));
+  const double distance = offset + straight_in_plane(found.at, {(edge + apex[0]) / 3.0, apex[1] / 3.0});
   if (is_nearer(face, distance)) take(found, distance);
 }
 
@@ -204,17 +191,17 @@ void VirtualSources::enter(const FaceSource& crossing) {
   const PlanePoint head{face.edge, 0.0};
   FaceSource seen = crossing;
   // The ends of the edge bound the sector where they lie inside it.
-  if (crossing.left.vertex == no_index || side(seen.at, crossing.left.at, {}) <= 0.0) {
+  if (crossing.left.vertex == no_index || turn_in_plane(seen.at, crossing.left.at, {}) <= 0.0) {
     seen.left = {{}, face.tail};
   }
-  if (crossing.right.vertex == no_index || side(seen.at, crossing.right.at, head) >= 0.0) {
+  if (crossing.right.vertex == no_index || turn_in_plane(seen.at, crossing.right.at, head) >= 0.0) {
     seen.right = {head, face.head};
   }
   const Reached at_apex = reached(seen, face, apex);
-  reach_vertex(face.opposite, at_apex.sigma + between(at_apex.at, apex));
+  reach_vertex(face.opposite, at_apex.sigma + straight_in_plane(at_apex.at, apex));
   const PlanePoint centre{(face.edge + apex[0]) * (1.0 / 3.0), apex[1] * (1.0 / 3.0)};
   const Reached at_centre = reached(seen, face, centre);
-  const double distance = at_centre.sigma + between(at_centre.at, centre);
+  const double distance = at_centre.sigma + straight_in_plane(at_centre.at, centre);
   if (!is_nearer(Mesh::face_of(crossing.base), distance)) return;
   seen.at = at_centre.at;
   seen.sigma = at_centre.sigma;
@@ -244,8 +231,8 @@ void VirtualSources::enter(const FaceSource& crossing) {
 
 inline VirtualSources::Reached VirtualSources::reached(const FaceSource& seen, const FaceOver& face,
                                                        const PlanePoint& point) const {
-  if (side(seen.at, seen.left.at, point) > 0.0) return beyond_bound(seen, face, true, point);
-  if (side(seen.at, seen.right.at, point) < 0.0) return beyond_bound(seen, face, false, point);
+  if (turn_in_plane(seen.at, seen.left.at, point) > 0.0) return beyond_bound(seen, face, true, point);
+  if (turn_in_plane(seen.at, seen.right.at, point) < 0.0) return beyond_bound(seen, face, false, point);
   return {seen.at, seen.sigma, Reached::directly};
 }
 
@@ -263,9 +250,10 @@ VirtualSources::Reached VirtualSources::beyond_bound(const FaceSource& seen, con
       const double signed_sine = left ? -sine : sine;
       const PlanePoint at{bound.at[0] + cosine * x - signed_sine * y,
                           bound.at[1] + signed_sine * x + cosine * y};
-      const double aside = side(at, bound.at, point) * (left ? 1.0 : -1.0);
+      const double aside = turn_in_plane(at, bound.at, point) * (left ? 1.0 : -1.0);
       const bool is_close = aside > 0.0 && aside <= max_aside * face.edge * beyond;
-      if (is_close && side(at, {}, point) <= 0.0 && side(at, {face.edge, 0.0}, point) >= 0.0) {
+      if (is_close && turn_in_plane(at, {}, point) <= 0.0 &&
+          turn_in_plane(at, {face.edge, 0.0}, point) >= 0.0) {
         return {at, seen.sigma, left ? Reached::past_left : Reached::past_right};
       }
     }

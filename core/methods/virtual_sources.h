@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "exact/exact_solver.h"
+#include "mesh/vectors.h"
 #include "support/bucket_queue.h"
 
 namespace vorogeo {
@@ -32,7 +33,6 @@ class VirtualSources {
   std::size_t memory_bytes() const;
 
  private:
-  using PlanePoint = std::array<double, 2>;
   /// A vertex that bounds the sector in which a source is seen.
   struct Bound {
     PlanePoint at{};

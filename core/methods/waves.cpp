@@ -1,6 +1,5 @@
 // Fast marching, with obtuse corners unfolded, and over raw meshes across gaps.
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include "mesh/surface_locator.h"

@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "exact/exact_landmarks.h"
 #include "exact/local_solver.h"

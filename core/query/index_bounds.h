@@ -1,7 +1,6 @@
 // Lower bounds of the distance to one point, from the index: they keep exact propagation in a corridor.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 

@@ -186,9 +186,9 @@ class StepWalk {
         geometry_(*data.geometry->windows),
         patch_(step.patch),
         from_(from),
-        is_forwards_(patch_ == no_index || data.row_in_patch(patch_, step.place) != no_index),
+        is_forwards_(patch_ == no_index || data.second.row_in(step.place, patch_) != no_index),
         goal_(is_forwards_ ? step.place : from),
-        row_(patch_ == no_index ? no_index : data.row_in_patch(patch_, goal_)),
+        row_(patch_ == no_index ? no_index : data.second.row_in(goal_, patch_)),
         goal_edge_(data.surface.is_vertex(goal_) ? no_index : data.surface.point_at(goal_).edge),
         place_(is_forwards_ ? from : step.place) {
     passed_.reserve(64);

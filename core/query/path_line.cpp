@@ -113,14 +113,6 @@ bool other_side(const Mesh& mesh, Index vertex, Index exit, Index face, std::vec
 
 // ---- The funnel as a double-ended queue
 
-namespace {
-
-double cross(const PlanePoint& origin, const PlanePoint& a, const PlanePoint& b) {
-  return (a[0] - origin[0]) * (b[1] - origin[1]) - (a[1] - origin[1]) * (b[0] - origin[0]);
-}
-
-}  // namespace
-
 void Funnel::reset(const PlanePoint& point, std::size_t gates) {
   nodes_.clear();
   const std::size_t middle = gates + 2;
@@ -137,10 +129,10 @@ void Funnel::add_left(const PlanePoint& point, Index gate) {
   std::size_t head = head_;
   while (head < tail_) {
     if (head < apex_) {
-      if (cross(slot[head + 1].at, slot[head].at, point) > 0.0) break;
+      if (turn_in_plane(slot[head + 1].at, slot[head].at, point) > 0.0) break;
       ++head;
     } else {
-      if (cross(slot[head].at, slot[head + 1].at, point) >= 0.0) break;
+      if (turn_in_plane(slot[head].at, slot[head + 1].at, point) >= 0.0) break;
       ++head;
       apex_ = head;
     }
@@ -155,10 +147,10 @@ void Funnel::add_right(const PlanePoint& point, Index gate) {
   std::size_t tail = tail_;
   while (head_ < tail) {
     if (tail > apex_) {
-      if (cross(slot[tail - 1].at, slot[tail].at, point) < 0.0) break;
+      if (turn_in_plane(slot[tail - 1].at, slot[tail].at, point) < 0.0) break;
       --tail;
     } else {
-      if (cross(slot[tail].at, slot[tail - 1].at, point) <= 0.0) break;
+      if (turn_in_plane(slot[tail].at, slot[tail - 1].at, point) <= 0.0) break;
       --tail;
       apex_ = tail;
     }
@@ -185,11 +177,6 @@ namespace {
 /// Edges crossed, and the line itself, are this fraction of the longest of them: ten digits remain of its
 /// length.
 constexpr double least_scale = 1e-6;
-
-double distance_between(const PlanePoint& a, const PlanePoint& b) {
-  const double dx = a[0] - b[0], dy = a[1] - b[1];
-  return std::sqrt(dx * dx + dy * dy);
-}
 
 }  // namespace
 
@@ -261,7 +248,7 @@ std::vector<Index> PathLine::faces() const {
 double PathLine::length() const {
   double length = 0.0;
   for (std::size_t k = 0; k + 1 < joints_.size(); ++k) {
-    length += distance_between(joints_[k].out, joints_[k + 1].in);
+    length += straight_in_plane(joints_[k].out, joints_[k + 1].in);
   }
   return length;
 }

@@ -6,6 +6,7 @@
 
 #include "exact/exact_geometry.h"
 #include "mesh/surface_point.h"
+#include "mesh/vectors.h"
 #include "support/types.h"
 
 namespace vorogeo {
@@ -38,8 +39,6 @@ bool turn_around(const Mesh& mesh, FaceStrip& strip, Index vertex, Index face);
 bool other_side(const Mesh& mesh, Index vertex, Index exit, Index face, std::vector<HalfedgePair>& passed);
 
 // ---- The shortest line through a row of gates in the plane
-
-using PlanePoint = std::array<double, 2>;
 
 /// Pulls a string tight between two points through gates (Lee, Preparata 1984). Keeps its memory.
 class Funnel {

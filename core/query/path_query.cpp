@@ -2,8 +2,6 @@
 #include "query/path_query.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <utility>
 
 #include "index/index_data.h"

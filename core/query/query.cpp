@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "query/surface.h"
-#include "support/parallel.h"
 
 namespace vorogeo {
 

@@ -1,9 +1,7 @@
 // What one thread asks a surface with: fields, distances and paths, by whatever method.
 #pragma once
 
-#include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>

@@ -15,12 +15,6 @@ namespace {
 
 using Near = RouteUnfolder::Near;
 
-/// Row of a vertex on the border of a patch of either layer; no_index if it is not there.
-Index row_in(const PatchLayer& layer, Index vertex, Index patch) {
-  const Index node = layer.place_node[vertex];
-  return node == no_index ? no_index : layer.row_of(node, patch);
-}
-
 /// Distance between two vertices by the table of a leg; unreachable if it does not hold both.
 double distance_by(const IndexData& data, const Leg& leg, Index from, Index to) {
   if (leg.table == Leg::Table::transit) {
@@ -33,10 +27,10 @@ double distance_by(const IndexData& data, const Leg& leg, Index from, Index to) 
     return leg.table == Leg::Table::second ? data.column_in_patch(leg.patch, vertex)
                                            : data.column_in_parent(leg.patch, data.second.place_node[vertex]);
   };
-  Index row = row_in(layer, from, leg.patch);
+  Index row = layer.row_in(from, leg.patch);
   Index other = to;
   if (row == no_index) {
-    row = row_in(layer, to, leg.patch);
+    row = layer.row_in(to, leg.patch);
     other = from;
   }
   const Index column = row == no_index ? no_index : column_of(other);
@@ -73,7 +67,7 @@ void for_each_neighbour(const IndexData& data, const Stage& stage, const Stage& 
   for (const Leg& side : {stage.leg, next.leg}) {
     if (side.table == Leg::Table::transit) continue;
     const PatchLayer& layer = side.table == Leg::Table::first ? data.first : data.second;
-    const Index row = row_in(layer, stage.exit, side.patch);
+    const Index row = layer.row_in(stage.exit, side.patch);
     if (row == no_index) continue;
     for (const BorderNeighbour& beside : layer.neighbours(side.patch, row)) {
       visit(layer.node_place[layer.nodes(side.patch)[beside.row]], beside.length);

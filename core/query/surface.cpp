@@ -11,7 +11,6 @@
 #include "index/index_data.h"
 #include "query/landmarks.h"
 #include "support/error.h"
-#include "support/memory.h"
 #include "support/parallel.h"
 #include "support/progress.h"
 

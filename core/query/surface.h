@@ -1,7 +1,6 @@
 // A mesh that answers questions without asking for an index: it builds one when that pays.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>

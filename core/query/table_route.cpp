@@ -2,7 +2,6 @@
 #include "query/table_route.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "index/scans.h"

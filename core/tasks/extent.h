@@ -1,10 +1,8 @@
 // Eccentricity, diameter and disks, and how two fields differ.
 #pragma once
 
-#include <span>
 #include <vector>
 
-#include "support/progress.h"
 #include "tasks/workers.h"
 
 namespace vorogeo {

@@ -13,7 +13,6 @@ namespace vorogeo {
 /// Which power of the distances is summed.
 enum class Power : std::uint8_t { one = 1, two = 2 };
 
-/// The power of a distance.
 inline double powered(double distance, Power power) {
   return power == Power::two ? distance * distance : distance;
 }

@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "support/error.h"
 #include "support/memory.h"
 #include "support/parallel.h"
 

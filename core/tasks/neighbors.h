@@ -2,10 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
-#include <vector>
 
-#include "support/progress.h"
 #include "tasks/workers.h"
 
 namespace vorogeo {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <vector>
 
 #include "mesh/surface_locator.h"
 #include "mesh/surface_point.h"

@@ -1,10 +1,8 @@
 // Areas of regions of faces and of what a closed curve encloses, with their borders and volumes.
 #include "tasks/region_areas.h"
 
-#include <array>
 #include <cmath>
 #include <set>
-#include <string>
 #include <vector>
 
 #include "mesh/orientation.h"

@@ -1,7 +1,6 @@
 // Areas of regions of faces and of what a closed curve encloses, with their borders and volumes.
 #pragma once
 
-#include <limits>
 #include <span>
 #include <vector>
 

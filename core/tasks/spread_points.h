@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "support/progress.h"
 #include "tasks/means.h"
 #include "tasks/workers.h"
 

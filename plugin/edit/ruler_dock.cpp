@@ -8,7 +8,6 @@
 #include <QKeyEvent>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
-#include <array>
 #include <cmath>
 #include <string>
 #include <utility>

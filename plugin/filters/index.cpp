@@ -1,9 +1,7 @@
 // Filters for the index: build, describe, save and load.
 #include <QFile>
-#include <cstdint>
 #include <filesystem>
 #include <sstream>
-#include <string>
 
 #include "filters/rows.h"
 #include "host/ticking.h"

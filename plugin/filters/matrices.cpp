@@ -10,7 +10,6 @@
 #include "layers/answering.h"
 #include "layers/points.h"
 #include "layers/results.h"
-#include "support/error.h"
 #include "support/file.h"
 #include "support/memory.h"
 #include "tasks/distance_matrix.h"

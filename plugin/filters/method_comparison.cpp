@@ -16,7 +16,6 @@
 #include "layers/points.h"
 #include "layers/results.h"
 #include "query/rent_or_buy.h"
-#include "support/error.h"
 #include "tasks/extent.h"
 
 namespace vorogeo::plugin {

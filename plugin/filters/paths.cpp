@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "filters/rows.h"
-#include "host/ticking.h"
 #include "layers/answering.h"
 #include "layers/curves.h"
 #include "layers/path_lines.h"

@@ -6,7 +6,6 @@
 
 #include "layers/layer_metric.h"
 #include "layers/points.h"
-#include "support/error.h"
 
 namespace vorogeo::plugin {
 

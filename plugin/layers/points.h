@@ -59,7 +59,6 @@ double real_of(const FilterCall& call, const char* parameter, Values allowed, co
 int number_of(const FilterCall& call, const char* parameter, int least, const char* advice,
               int greatest = std::numeric_limits<int>::max());
 
-/// The parameter max_snap_distance.
 RichLength max_snap_distance_parameter(const MeshDocument& document);
 
 /// The parameter exact of all filters that can also do without the index.

@@ -5,7 +5,6 @@
 #include <functional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "host/filter_row.h"
 #include "layers/layer_surface.h"

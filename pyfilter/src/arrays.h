@@ -13,7 +13,6 @@
 #include <cstring>
 #include <memory>
 #include <span>
-#include <string>
 #include <tuple>
 #include <type_traits>
 #include <utility>

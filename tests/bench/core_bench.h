@@ -9,7 +9,6 @@
 #include <span>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "mesh/mesh.h"
 #include "raw_mesh.h"

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <functional>
 #include <map>
-#include <string>
 
 #include "index/index_options.h"
 #include "support/hostile_meshes.h"

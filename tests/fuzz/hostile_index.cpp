@@ -4,7 +4,6 @@
 
 #include "fuzz/hostile_case.h"
 #include "query/path_query.h"
-#include "support/error.h"
 #include "support/indexes.h"
 #include "support/temporary.h"
 #include "tasks/voronoi_regions.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <deque>
 #include <numbers>
+#include <numeric>
 #include <tuple>
 
 #include "support/error.h"
@@ -117,6 +118,12 @@ std::vector<Index> random_vertices(Index count, int wanted, unsigned seed) {
   std::vector<Index> result(chosen.begin(), chosen.end());
   std::shuffle(result.begin(), result.end(), random);
   return result;
+}
+
+std::vector<Index> all_faces(const Mesh& mesh) {
+  std::vector<Index> faces(mesh.face_count());
+  std::iota(faces.begin(), faces.end(), 0);
+  return faces;
 }
 
 std::set<Index> patches_at(const Mesh& mesh, std::span<const Index> face_label, Index vertex) {

@@ -84,6 +84,8 @@ class ErrorCollector {
 /// A few random different numbers of [0, count), always the same for a seed.
 std::vector<Index> random_vertices(Index count, int wanted, unsigned seed);
 
+std::vector<Index> all_faces(const Mesh& mesh);
+
 /// Patches of the faces at a vertex.
 std::set<Index> patches_at(const Mesh& mesh, std::span<const Index> face_label, Index vertex);
 

@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "support/heavy.h"
-#include "support/memory.h"
 
 namespace vorogeo {
 namespace {

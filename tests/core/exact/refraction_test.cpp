@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "exact/weighted_solver.h"
-#include "mesh/metric.h"
 #include "support/error.h"
 #include "support/layers.h"
 #include "support/shapes.h"

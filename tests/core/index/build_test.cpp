@@ -1,7 +1,6 @@
 // Building an index: statistics, refusals, warnings, estimates, memory budgets, patches.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "exact/exact_solver.h"
@@ -14,7 +13,6 @@
 #include "index/local_tables.h"
 #include "index/patch_layer.h"
 #include "index/transit_table.h"
-#include "support/error.h"
 #include "support/hostile_meshes.h"
 #include "support/indexes.h"
 #include "support/shapes.h"

@@ -5,8 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <set>
 
 #include "index/local_tables.h"
 #include "support/heavy.h"

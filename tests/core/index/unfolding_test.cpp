@@ -10,7 +10,6 @@
 #include <numbers>
 #include <random>
 #include <span>
-#include <vector>
 
 #include "index/border_pieces.h"
 #include "support/shapes.h"

@@ -9,7 +9,6 @@
 #include "exact/exact_solver.h"
 #include "mesh/mesh_check.h"
 #include "mesh/mesh_input.h"
-#include "support/error.h"
 #include "support/gaps.h"
 
 namespace vorogeo {

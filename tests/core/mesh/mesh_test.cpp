@@ -6,14 +6,12 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <random>
 #include <set>
 
 #include "mesh/fingerprint.h"
 #include "mesh/outliers.h"
 #include "mesh/vectors.h"
 #include "support/error.h"
-#include "support/indexes.h"
 #include "support/ply.h"
 #include "support/refusal.h"
 #include "support/shapes.h"

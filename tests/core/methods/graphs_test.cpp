@@ -7,7 +7,6 @@
 #include "support/error.h"
 #include "support/indexes.h"
 #include "support/methods.h"
-#include "support/ply.h"
 
 namespace vorogeo {
 namespace {

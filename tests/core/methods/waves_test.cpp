@@ -1,8 +1,6 @@
 // Methods that solve an equation: fast marching, waves across gaps, heat.
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 #include "mesh/mesh_input.h"
 #include "support/error.h"
 #include "support/gaps.h"

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
 #include <random>
 #include <vector>
 
@@ -60,12 +59,6 @@ TEST(MinCut, NoOtherCutOfARandomGraphIsCheaper) {
 
 // Borders after minimum cuts: as short as they can be, and found at once.
 
-std::vector<Index> all_faces(const Mesh& mesh) {
-  std::vector<Index> faces(mesh.face_count());
-  std::iota(faces.begin(), faces.end(), 0);
-  return faces;
-}
-
 /// Edges between faces with different labels, and their length.
 struct Border {
   int edges = 0;
@@ -96,7 +89,7 @@ TEST(BorderCut, ARaggedBorderOfAGridBecomesStraight) {
   // Teeth of two cells: 20 + 18 edges and more where a tooth is wide.
   auto label = grid_labels(*mesh, 20, [](Index i, Index j) { return i < 10 + (j / 2 % 2 == 0 ? 1 : -1); });
   EXPECT_EQ(border_of(*mesh, label).edges, 20 + 2 * 9);
-  BorderCut(*mesh).shorten(all_faces(*mesh), 2, 400.0, {}, label);
+  BorderCut(*mesh).shorten(test::all_faces(*mesh), 2, 400.0, {}, label);
   EXPECT_EQ(border_of(*mesh, label).edges, 20);
   EXPECT_DOUBLE_EQ(border_of(*mesh, label).length, 20.0);
 }
@@ -108,7 +101,7 @@ TEST(BorderCut, PagesOfABookMakeARing) {
   std::vector<Index> label(pages);
   for (Index f = 0; f < pages; ++f) label[f] = f < 5000 || f == 8000 ? 0 : f < 12'000 ? 2 : 1;
   const double start = thread_seconds();
-  BorderCut(*mesh).shorten(all_faces(*mesh), 3, 6000.0, {}, label);
+  BorderCut(*mesh).shorten(test::all_faces(*mesh), 3, 6000.0, {}, label);
   // Quadratic work would take seconds.
   EXPECT_LT(thread_seconds() - start, 0.5);
   EXPECT_EQ(label[8000], 2);

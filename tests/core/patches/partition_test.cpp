@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <set>
 #include <vector>
 
@@ -16,12 +15,6 @@
 
 namespace vorogeo {
 namespace {
-
-std::vector<Index> all_faces(const Mesh& mesh) {
-  std::vector<Index> faces(mesh.face_count());
-  std::iota(faces.begin(), faces.end(), 0);
-  return faces;
-}
 
 // Two layers of patches: counts and nesting.
 
@@ -129,7 +122,7 @@ void expect_neighbors_differ(const Mesh& mesh, const std::vector<Index>& patch, 
 TEST(PatchColoring, AFanWithElevenPatchesGetsElevenColors) {
   // All faces meet at the apex, so all patches are neighbours of one another.
   const auto mesh = test::make_mesh(test::cone(11, 1, 5.0, 1.0).soup);
-  const std::vector<Index> patch = all_faces(*mesh);
+  const std::vector<Index> patch = test::all_faces(*mesh);
   ASSERT_EQ(patch.size(), 11U);
   const PatchColoring colors = color_neighbors_differently(*mesh, patch);
   expect_neighbors_differ(*mesh, patch, colors);
@@ -153,7 +146,7 @@ TEST(PatchColoring, NoColourIsNearThatOfFacesThatNoPathReaches) {
   // The greys of the filters: light for what is not reached or in no patch, dark for what is not compared.
   constexpr std::array<double, 2> greys{160.0, 90.0};
   const auto mesh = test::make_mesh(test::cone(60, 1, 5.0, 1.0).soup);
-  const std::vector<Index> patch = all_faces(*mesh);
+  const std::vector<Index> patch = test::all_faces(*mesh);
   const PatchColoring colors = color_neighbors_differently(*mesh, patch);
   EXPECT_EQ(colors.palette.size(), 60U);
   for (const Rgb& color : colors.palette) {

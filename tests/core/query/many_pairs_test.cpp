@@ -2,12 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include "mesh/metric.h"
 #include "query/surface.h"
 #include "support/error.h"
 #include "support/indexes.h"

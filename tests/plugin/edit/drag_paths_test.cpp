@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <thread>
-#include <vector>
 
 #include "edit/ruler_surface.h"
 #include "support/shapes.h"
