@@ -502,7 +502,8 @@ struct Polygon {
   std::vector<double> angles;  ///< of the inside at each corner, in radians
   double curvature = 0.0;      ///< sum of the angle defects of the vertices inside
   /// 2 pi times the Euler characteristic of the inside, minus its curvature and the turning of its border at
-  /// points and vertices: 0 but for rounding (Gauss-Bonnet), where the metric does not jump.
+  /// points and vertices: 0 but for rounding (Gauss-Bonnet), where the metric does not jump and no edge has
+  /// more than two faces.
   double gauss_bonnet = 0.0;
   std::vector<int> vertices;                    ///< inside, not on the border
   std::vector<int> faces;                       ///< all of which are inside

@@ -64,7 +64,8 @@ GapBridges find_gap_bridges(const Mesh& mesh, const GapLimit& limit);
 /// both ways cost the same. Faces are not split. `mesh`: without bridges. \pre The metric has sides.
 Metric with_bridges(const Mesh& mesh, const GapBridges& bridges, Metric metric);
 
-/// The least limit with which all faces are one component; `unreachable` if none would do.
+/// A limit with which all faces are one component; `unreachable` if none would do. Mostly the least: bridges
+/// of a lower one may happen to join what is nearest elsewhere.
 /// Complexity: O(b log b log c) for c components.
 double gap_to_join_all(const Mesh& mesh, bool folds);
 

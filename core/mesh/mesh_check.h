@@ -102,7 +102,8 @@ struct MeshReport {
   double longest_edge_length = 0.0;
   BorderLoops border_loops;
   NearBorders near_borders;
-  /// The least gap with which all faces are one component; 0 if they are, `unreachable` if none would do.
+  /// A gap with which all faces are one component, mostly the least; 0 if they are, `unreachable` if none
+  /// would do.
   double gap_to_join_all = 0.0;
   GapLimit gap;                         ///< the one the report was asked for
   Index joined_borders = 0;             ///< border loops that it joins with others or with themselves

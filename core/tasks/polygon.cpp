@@ -112,9 +112,11 @@ GeodesicPolygon measured(const Mesh& mesh, std::vector<ExactPath> legs, const En
   polygon.gauss_bonnet = 2.0 * pi * inside.euler_characteristic();
   for (const auto& [point, sum] : angle) {
     const auto found = border_edges.find(point);
-    if (point >= mesh.vertex_count() && !ends_of_legs.contains(point)) continue;
+    // A place where the border touches itself, as at a hole, is a point for each part of the inside there.
+    const int parts = found == border_edges.end() ? 1 : found->second / 2;
+    if (parts == 1 && point >= mesh.vertex_count() && !ends_of_legs.contains(point)) continue;
     if (found != border_edges.end()) {
-      polygon.gauss_bonnet -= 0.5 * pi * found->second - sum;
+      polygon.gauss_bonnet += 2.0 * pi * (parts - 1) - (pi * parts - sum);
       continue;
     }
     polygon.curvature += 2.0 * pi - sum;

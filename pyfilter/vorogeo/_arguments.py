@@ -31,6 +31,8 @@ def numbers(name: str, value: Any, wanted: str) -> NDArray[Any]:
         array = as_numpy(value)
     except (TypeError, ValueError, RuntimeError, BufferError) as error:
         raise InvalidInput(f"{name}: cannot be read as an array ({error}); give {wanted}.") from None
+    if np.ma.is_masked(value):
+        raise InvalidInput(f"{name}: has masked entries; give {wanted}, without them.")
     if array.dtype.kind not in "fiub":
         raise InvalidInput(f"{name}: is not an array of numbers (it is {_describe(value, array)}); give {wanted}.")
     return array

@@ -19,6 +19,10 @@ from .surface import Surface
 OUTSIDE = frozenset(("???", "unknown", "medialwall", "corpuscallosum", "mask", "background"))
 
 
+def _plain(name: str) -> str:
+    return name.lower().replace("_", "").replace(" ", "")
+
+
 @dataclass(frozen=True)
 class Labels:
     """A label for each vertex.
@@ -38,11 +42,19 @@ class Labels:
         """The vertices that belong to the surface: those whose label is not negative and has no name in `outside`.
 
         Without names, those whose label is not 0.
+
+        Raises
+        ------
+        InvalidInput
+            (a ValueError) If no label has a name that is not of `OUTSIDE`.
         """
         if not self.names:
             return np.not_equal(self.values, 0)
-        plain = {name.lower().replace("_", "").replace(" ", "") for name in outside}
-        left_out = [key for key, name in self.names.items() if name.lower().replace("_", "").replace(" ", "") in plain]
+        plain = {_plain(name) for name in outside}
+        unknown = plain - OUTSIDE - {_plain(name) for name in self.names.values()}
+        if unknown:
+            raise InvalidInput(f"outside: no label is called {min(unknown)!r}; give names of labels.")
+        left_out = [key for key, name in self.names.items() if _plain(name) in plain]
         return (self.values >= 0) & ~np.isin(self.values, left_out)
 
 
@@ -168,6 +180,8 @@ def label_borders(surface: Surface, labels: ArrayLike | Labels, label: int | Non
     """
     values = _checked(surface, labels)
     if label is not None:
+        if label not in values:
+            raise InvalidInput(f"label: no vertex has {label!r}; give one of the values.")
         values = values == label
     corner = values[surface.faces]
     used = np.ones(len(corner), bool) if surface.mask is None else surface.mask
@@ -209,7 +223,7 @@ def border_distance(
 def nearest_label(
     surface: Surface,
     labels: ArrayLike | Labels,
-    background: Iterable[int] = (-1, 0),
+    background: int | Iterable[int] = (-1, 0),
     max_distance: float | None = None,
     method: str | None = None,
 ) -> tuple[NDArray[np.int32], NDArray[np.float64]]:
@@ -219,7 +233,7 @@ def nearest_label(
     ----------
     surface, labels
         As for `label_borders`.
-    background : iterable of int, default (-1, 0)
+    background : int or iterable of int, default (-1, 0)
         Values that are no label; these vertices get one.
     max_distance, method
         As for `Surface.distance_field`.
@@ -237,7 +251,11 @@ def nearest_label(
         (a ValueError) Also if no vertex has a label.
     """
     values = _checked(surface, labels)
-    labelled = np.flatnonzero(~np.isin(values, list(background)))
+    labelled = np.flatnonzero(
+        ~np.isin(
+            values, np.atleast_1d(np.asarray(list(background) if isinstance(background, Iterable) else background))
+        )
+    )
     if not len(labelled):
         raise InvalidInput("labels: no vertex has a label that is not background.")
     distance, nearest = surface.distance_field(labelled, max_distance, return_labels=True, method=method)

@@ -20,7 +20,7 @@ from .errors import InvalidInput
 from .mesh_files import read_mesh
 from .mesh_input import MeshInput
 from .metrics import Metric
-from .surface import GeodesicIndex
+from .surface import GeodesicIndex, Surface
 from .tasks import Shared
 
 _BLOCK_BYTES = 2**25
@@ -56,6 +56,8 @@ def write_files(
 ) -> IndexFiles:
     """Put what workers need into a folder that all of them see; an index file needs its mesh beside it."""
     if not isinstance(index, GeodesicIndex):
+        if isinstance(index, Surface):
+            raise InvalidInput("index: is a surface; give a GeodesicIndex, or the file of an index and its mesh.")
         if mesh is None:
             raise InvalidInput(
                 "mesh: is missing; an index file does not hold the mesh, so give its file or its arrays."

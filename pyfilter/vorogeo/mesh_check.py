@@ -65,8 +65,8 @@ class MeshReport:
         "The least and the greatest distance of such vertices from their nearest neighbour across the gap."
     )
     gap_to_join_all: float = doc(
-        "The least `gap` with which all components become one; 0 if they are one or their borders touch, infinity if "
-        "no gap is enough."
+        "A `gap` with which all components become one, mostly the least; 0 if they are one or their borders touch, "
+        "infinity if no gap is enough."
     )
     joined_borders: int = doc("How many border loops have an edge that is no border once gaps up to `gap` are bridged.")
     components_after_bridging: int = doc("Connected parts that are left then.")

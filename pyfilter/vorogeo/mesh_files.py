@@ -58,7 +58,7 @@ def read_with_values(file: str | os.PathLike[str]) -> tuple[MeshArrays, dict[str
     """
     path = check.file_path(file)
     if not os.path.isfile(path):
-        raise FileError(f"{path}: there is no such file.")
+        raise FileError(f"{path}: {'is a folder' if os.path.isdir(path) else 'there is no such file'}.")
     reasons = []
     for name, package, reader in _readers(Path(path)):
         if importlib.util.find_spec(package) is None:

@@ -48,9 +48,19 @@ class SurfacePoints:
 
     def positions(self, vertices: ArrayLike, faces: ArrayLike) -> NDArray[np.float64]:
         """The positions of the points in space, float64 of shape (k, 3), from the arrays of the mesh of the surface."""
-        corners = np.asarray(vertices, dtype=np.float64)[np.asarray(faces)[_face_ids("faces", self.faces)]]
+        places = check.vertices(vertices, finite=False)
+        corners = places[self._corners(faces, len(places))]
         found: NDArray[np.float64] = np.einsum("kc,kcd->kd", np.atleast_2d(self.barycentric), corners)
         return found
+
+    def _corners(self, faces: ArrayLike, vertex_count: int) -> NDArray[np.int32]:
+        """The corners of each point's face."""
+        triangles, own = check.faces(faces, vertex_count), _face_ids("points", self.faces)
+        if (own >= len(triangles)).any():
+            raise InvalidInput(
+                f"faces: has {len(triangles)} rows, but a point lies in face {own.max()}; give those of the surface."
+            )
+        return triangles[own]
 
     def to_text(self) -> str:
         """The points as text for the parameter `surface_points` of the filters, on a layer with the same faces.
@@ -67,7 +77,7 @@ class SurfacePoints:
         """
         from scipy.sparse import csr_matrix
 
-        corners = np.asarray(faces)[_face_ids("faces", self.faces)]
+        corners = self._corners(faces, vertex_count)
         rows = np.repeat(np.arange(len(corners)), 3)
         weights = np.atleast_2d(self.barycentric).ravel()
         return csr_matrix((weights, (rows, corners.ravel())), shape=(len(corners), vertex_count))
@@ -77,7 +87,8 @@ class SurfacePoints:
         """The points of a ``scipy.sparse`` matrix of shape (k, n), whose rows weigh up to three vertices of a face."""
         from scipy.sparse import csr_matrix
 
-        matrix, triangles = csr_matrix(weights, copy=True), np.asarray(faces)
+        matrix = csr_matrix(weights, copy=True)
+        triangles = check.faces(faces, matrix.shape[1])
         matrix.eliminate_zeros()
         rows = np.repeat(np.arange(len(triangles)), 3)
         corner_of = csr_matrix((np.ones(rows.size), (rows, triangles.ravel())), shape=(len(triangles), matrix.shape[1]))
@@ -118,7 +129,7 @@ class EdgeCurve:
     def edges(self, vertex_count: int, name: str) -> NDArray[np.int32]:
         """The ends of the edges, as int32 of shape (q, 2)."""
         wanted = "vertex ids of shape (k,) along edges, or the ends of edges of shape (k, 2)"
-        given = check.column(np.asarray(self.vertices))
+        given = check.column(check.numbers(f"{name}.vertices", self.vertices, wanted))
         ids = check.vertex_ids(f"{name}.vertices", given.ravel() if given.ndim == 2 else given, vertex_count)
         if given.ndim == 1 and ids.size >= 2:
             return np.ascontiguousarray(np.column_stack([ids[:-1], ids[1:]]))

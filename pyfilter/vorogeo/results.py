@@ -359,7 +359,7 @@ class GeodesicPolygon:
     )
     gauss_bonnet: float = doc(
         "2 pi times the Euler characteristic of the inside, minus its curvature and the turning of its border at "
-        "points and vertices: 0 but for rounding, where the metric does not jump."
+        "points and vertices: 0 but for rounding, where the metric does not jump and no edge has more than two faces."
     )
     vertices: NDArray[np.int32] = doc("Shape (p,). Inside, not on the border; ascending.")
     faces: NDArray[np.int32] = doc("Shape (j,). All of which are inside; ascending.")

@@ -233,7 +233,7 @@ class Tasks:
         return found, number
 
     def _points_on(self, name: str, line: EdgeCurve | GeodesicPath, spacing: float) -> Rows:
-        """Points along a curve, or along a path at most `spacing` apart."""
+        """Points along a curve, or those of a path and between them, at most `spacing` apart."""
         if isinstance(line, EdgeCurve):
             own = 0.0 if line.spacing is None else check.length(f"{name}.spacing", line.spacing)
             along_edges: Rows = self._shared.core.mesh.along_edges(line.edges(len(self.vertices), name), own)
@@ -245,11 +245,8 @@ class Tasks:
                 f"{name}: is a path of length {line.length:g}, too long for points {spacing:g} apart, which the width "
                 "asks for; give a greater width, or fewer points along it (points_along)."
             )
-        along: Rows
-        (along,) = self._ask(
-            self._shared.core.steps_along, self._rows(name, line.surface_points), spacing, method="exact"
-        )
-        return along
+        own = self._rows(name, line.surface_points)
+        return point_lists.joined([own, *self._ask(self._shared.core.steps_along, own, spacing, method="exact")])
 
     def distance_matrix(
         self,

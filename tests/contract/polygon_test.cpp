@@ -54,6 +54,23 @@ TEST(PolygonContract, InAPlaneItIsTheFlatOne) {
   }
 }
 
+TEST(PolygonContract, AroundAHoleThatItsBorderTouchesNothingIsLost) {
+  test::Soup soup = test::plane_grid(12, 12, 12.0, 12.0).soup;
+  std::erase_if(soup.faces, [&](const auto& face) {
+    return std::ranges::all_of(face, [&](Index v) {
+      const Point& p = soup.positions[v];
+      return p[0] > 3.9 && p[0] < 6.1 && p[1] > 3.9 && p[1] < 6.1;
+    });
+  });
+  const Ask ask(soup);
+  // A corner of the hole is one of the polygon, or lies on a leg.
+  for (const Point& touching : {Point{4, 6, 0}, Point{2, 8, 0}}) {
+    const GeodesicPolygon found =
+        ask.polygon(places_on(soup, {{2, 2, 0}, {10, 2, 0}, {8, 2 + 6 * touching[0] / 4, 0}, touching}), By::exact);
+    EXPECT_NEAR(found.gauss_bonnet, 0.0, 1e-9);
+  }
+}
+
 TEST(PolygonContract, AroundACornerOfABoxAngleSumsHaveAQuarterTurnMore) {
   const test::Soup soup = test::box({1.0, 1.7, 3.1}, 4).soup;
   const Ask ask(soup);

@@ -147,3 +147,12 @@ def test_errors_of_labels(index):
         brain.border_distance(index, [1, 2, 3])
     with pytest.raises(vorogeo.InvalidInput, match="no vertex has a label"):
         brain.nearest_label(index, np.zeros(len(X), int))
+    with pytest.raises(vorogeo.InvalidInput, match="label: no vertex has 9"):
+        brain.border_distance(index, HALVES, label=9)
+    with pytest.raises(vorogeo.InvalidInput, match="outside: no label is called 'wal'"):
+        brain.Labels(HALVES, {1: "left", 2: "wall"}).mask(outside=["wal"])
+
+
+def test_a_background_may_be_one_number(index):
+    for found, same in zip(*(brain.nearest_label(index, HALVES, background=one) for one in (1, [1])), strict=True):
+        np.testing.assert_array_equal(found, same)

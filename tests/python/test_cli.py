@@ -54,6 +54,25 @@ def test_sources_are_ids_positions_and_files(mesh, tmp_path):
     np.testing.assert_allclose(np.load("f.npy"), expected, atol=1e-9)
 
 
+def test_positions_below_0_are_no_options(mesh, capsys):
+    assert main(["distance", mesh, "--from", "0", "--to", "-0.1,0.5,0", "-1e-3,-.2,-3"]) == 0
+    np.testing.assert_allclose([float(line) for line in capsys.readouterr().out.split()], [0.5, 0], atol=1e-9)
+    assert main(["girth", mesh, "--at", "-1,0,0", "--normal", "-1,0,0"]) == 1
+    assert "is not closed" in capsys.readouterr().err
+
+
+def test_one_answer_builds_no_index(mesh, capsys, monkeypatch):
+    def refuse(*_, **__):
+        raise AssertionError("an index is built")
+
+    monkeypatch.setattr("vorogeo.cli.job.GeodesicIndex", refuse)
+    for command in ("distance", "path"):
+        assert main([command, mesh, "--from", "0", "--to", "142"]) == 0
+        assert float(capsys.readouterr().out) == pytest.approx(np.hypot(1.2, 1), rel=1e-9)
+    assert main(["field", mesh, "--from", "0", "--out", "f.npy", "--patches", "2", "2"]) == 1
+    assert "an index is built" in capsys.readouterr().err
+
+
 def test_distance_and_path_print_or_write(mesh, capsys):
     assert main(["distance", mesh, "--from", "0", "--to", "12", "142", "1.0,0.5,0"]) == 0
     printed = [float(line) for line in capsys.readouterr().out.split()]

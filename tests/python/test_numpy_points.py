@@ -31,11 +31,35 @@ def test_a_curve_is_its_edges_in_any_order_and_has_one_offset(plane):
         (vorogeo.EdgeCurve([0, 10**6]), "no vertex 1000000"),
         (vorogeo.EdgeCurve(np.zeros((2, 3), int)), r"shape \(2, 3\)"),
         (vorogeo.EdgeCurve([0, 1], spacing=-1), "spacing"),
+        (vorogeo.EdgeCurve("ab"), "vertices: is not an array of numbers"),
     ],
 )
 def test_bad_curves_are_named(plane, curve, message):
     with pytest.raises(vorogeo.InvalidInput, match=message):
         plane.distance_field([3, curve])
+
+
+def test_masked_entries_are_named(plane):
+    with pytest.raises(vorogeo.InvalidInput, match="sources: has masked entries"):
+        plane.distance_field(np.ma.array([0, 3], mask=[0, 1]))
+
+
+def test_a_path_is_one_source_with_its_own_points(plane):
+    path = plane.path(0, 31 * 20 + 17)
+    field = plane.distance_field(path, method="exact")
+    assert field[path.vertices[path.vertices >= 0]].max() == 0
+    end = PLANE[0][31 * 20 + 17]
+    nearest = np.clip(PLANE[0] @ end / (end @ end), 0, 1)[:, None] * end
+    np.testing.assert_allclose(field, np.linalg.norm(PLANE[0] - nearest, axis=1), atol=0.02)
+    assert plane.distance_field(plane.path(0, 30), method="exact")[:31].max() == 0
+
+
+def test_faces_of_another_mesh_are_named(plane):
+    points = plane.snap([[0.1, 0.1, 0], [2.9, 1.9, 0]])
+    with pytest.raises(vorogeo.InvalidInput, match=r"faces: has 3 rows, but a point lies in face \d+"):
+        points.positions(PLANE[0], PLANE[1][:3])
+    with pytest.raises(vorogeo.InvalidInput, match=r"faces\[0\]: names vertex"):
+        points.to_sparse(PLANE[1], 2)
 
 
 def test_weights_that_are_wrong_are_named(plane):

@@ -15,16 +15,10 @@ from numpy.typing import NDArray
 
 from ..errors import InvalidInput
 from ..mesh_files import read_with_values
-from ..metrics import FaceRanders, Metric
+from ..metrics import Metric
 from ..points import Points
 from ..surface import GeodesicIndex, Surface
 from .sources import metric_of, points_of
-
-#: Of few fields: `Surface` itself decides whether an index pays.
-_WITHOUT_INDEX = (
-    *("through", "loop", "girth", "area", "sets", "polygon", "profile", "cut"),
-    *("directions", "signed", "spline", "mean", "clusters", "cut-locus"),
-)
 
 
 @dataclass(frozen=True)
@@ -120,9 +114,9 @@ class MeshTask:
 
     @cached_property
     def surface(self) -> Surface:
-        """What answers: the index, unless distances are exact or few, or go one way, and no file of one is named."""
-        without = self.exact or self.job.command in _WITHOUT_INDEX or isinstance(self.metric, FaceRanders)
-        return self.plain if without and not self.options.get("index") else self.index
+        """What answers: the index that options name or describe, else a surface that builds one where that pays."""
+        described = not self.exact and (self.options.get("patches") or self.options.get("delta"))
+        return self.index if self.options.get("index") or described else self.plain
 
     def points(self, option: str) -> Points:
         """The points of an option such as ``--from``."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import glob
 import io
 import os
+import re
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -30,6 +31,8 @@ _PRINTED = (
     "compare",
     "info",
 )
+#: A position that begins with a number below 0, which argparse would take for an option.
+_NEGATIVE = re.compile(r"-[\d.][^,]*,.*")
 _ENDINGS = {"index": ".vgi", "neighbours": ".npz", "profile": ".csv", "cut": ".ply", "cut-locus": ".ply"}
 _NOT_IN_JOBS = ("command", "mesh", "out", "format", "jobs", "scheduler", "overwrite", "quiet", "version")
 
@@ -39,8 +42,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="backslashreplace")  # a name may have characters that it cannot hold
     whole = parser()
+    words = sys.argv[1:] if arguments is None else arguments
     try:
-        given = whole.parse_args(arguments)
+        given = whole.parse_args([f" {word}" if _NEGATIVE.fullmatch(word) else word for word in words])
     except SystemExit as end:
         return int(end.code or 0)
     if given.version:

@@ -16,8 +16,8 @@ meshes
   is there already is kept, so a run that was stopped goes on where it was. A mesh that fails is reported at the end.
 
 points
-  Vertex ids (17), positions moved to the surface (0.1,2,3.5; --from=-1,0,2 if the first is negative), or files with
-  ids or positions: .npy, .txt, .csv, or a mesh, whose vertices are taken.
+  Vertex ids (17), positions moved to the surface (0.1,2,3.5), or files with ids or positions: .npy, .txt, .csv, or a
+  mesh, whose vertices are taken.
 
 results
   The ending of --out chooses: .npy, .npz (all arrays of a result), .mat, .csv, .ply (the mesh with the values as
@@ -347,7 +347,7 @@ _COMMON: _Options = (
         choices=_FORMATS,
     ),
     _option("--dtype", "of distances", choices=("float64", "float32"), default="float64"),
-    _option("--exact", "exact propagation instead of the index: slower, no errors"),
+    _option("--exact", "exact also where an index is quicker, which is built where that pays; without errors"),
     _option(
         "--normalise",
         "sqrt-area: scale the mesh to area 1, so lengths are parts of its root",
@@ -378,8 +378,13 @@ _COMMON: _Options = (
         "--index FILE",
         "an index of this mesh from 'vorogeo index', with the same --normalise, --mask, --gap and metric",
     ),
-    _option("--patches N", "numbers of patches of the index; default: chosen", nargs=2, type=_PATCHES),
-    _option("--delta D", "error that pruning the index may add"),
+    _option(
+        "--patches N",
+        "build an index of so many patches, also where it does not pay; default: chosen",
+        nargs=2,
+        type=_PATCHES,
+    ),
+    _option("--delta D", "build an index, also where it does not pay, and prune it with so much more error"),
     _option("--memory-budget MIB", "what the index may take; default 4096"),
     _option("--threads N", "for each mesh; default: cores shared by the jobs", type=_THREADS),
     _option("--jobs N", "meshes, or processes of --scheduler local, at a time", type=_COUNT, default=1),

@@ -50,6 +50,7 @@ def compute_gdist(
     faces = _faces(triangles, is_one_indexed)
     if target_indices is None:
         return exact_distance_field(vertices, faces, sources, _limit(max_distance))
+    _limit(max_distance)
     field = exact_distance_field(vertices, faces, sources)
     found: NDArray[np.float64] = field[check.vertex_ids("target_indices", target_indices, len(field))]
     return found
@@ -120,12 +121,13 @@ def _pairs(surface: Surface, ids: NDArray[Any], max_distance: float) -> Any:
 
 def _faces(triangles: ArrayLike, is_one_indexed: bool) -> ArrayLike:
     """Vertex ids that begin with 0; gdist also takes whole numbers that are stored as reals."""
-    given = np.asarray(triangles)
-    if given.dtype.kind == "f":
-        if not (given == np.round(given)).all():
-            raise InvalidInput("triangles: are no whole numbers; give vertex ids.")
-        given = given.astype(np.int64)
-    return given - 1 if is_one_indexed else given
+    wanted = "the vertex ids of the triangles as integers of shape (m, 3)"
+    given = check.integers("triangles", check.numbers("triangles", triangles, wanted), wanted)
+    if not is_one_indexed:
+        return given
+    if (given < 1).any():
+        raise InvalidInput(f"triangles: names vertex {given.min()}, but ids begin with 1, as is_one_indexed says.")
+    return given.astype(np.int64) - 1
 
 
 def _limit(max_distance: float) -> float:
