@@ -65,8 +65,8 @@ TEST(PolygonContract, AroundAHoleThatItsBorderTouchesNothingIsLost) {
   const Ask ask(soup);
   // A corner of the hole is one of the polygon, or lies on a leg.
   for (const Point& touching : {Point{4, 6, 0}, Point{2, 8, 0}}) {
-    const GeodesicPolygon found =
-        ask.polygon(places_on(soup, {{2, 2, 0}, {10, 2, 0}, {8, 2 + 6 * touching[0] / 4, 0}, touching}), By::exact);
+    const GeodesicPolygon found = ask.polygon(
+        places_on(soup, {{2, 2, 0}, {10, 2, 0}, {8, 2 + 6 * touching[0] / 4, 0}, touching}), By::exact);
     EXPECT_NEAR(found.gauss_bonnet, 0.0, 1e-9);
   }
 }
