@@ -21,6 +21,12 @@ void require_faces(const CMeshO& layer) {
     throw InvalidInput(
         "The current layer is empty: it has no vertices. Load or create a triangle mesh first.");
   }
+  if (layer.fn == 0 && layer.en > 0) {
+    throw InvalidInput(
+        "The current layer has lines but no faces, and geodesic distances run over faces: make the layer of "
+        "the "
+        "surface the current one.");
+  }
   if (layer.fn == 0) {
     throw InvalidInput(
         "The current layer is a point cloud: it has vertices but no faces, and geodesic distances run over "

@@ -246,7 +246,9 @@ class Tasks:
                 "asks for; give a greater width, or fewer points along it (points_along)."
             )
         own = self._rows(name, line.surface_points)
-        return point_lists.joined([own, *self._ask(self._shared.core.steps_along, own, spacing, method="exact")])
+        between: Rows
+        (between,) = self._ask(self._shared.core.steps_along, own, spacing, method="exact")
+        return point_lists.joined([own, between])
 
     def distance_matrix(
         self,

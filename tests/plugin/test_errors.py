@@ -18,6 +18,13 @@ def test_what_is_no_surface(name):
         cloud.apply_filter(name)
 
 
+def test_lines_are_no_surface():
+    lines = mesh_set(*grid(3, 3))
+    lines.generate_polyline_by_vorogeo_geodesic_path(source=0, target=8)
+    with fails_and_changes_nothing(lines, "make the layer of the surface the current one"):
+        lines.compute_scalar_by_vorogeo_distance_from_given_point_per_vertex(vertex_index=0)
+
+
 @pytest.fixture
 def ms():
     """A square with a selected vertex, a layer with a point half above it, and one without vertices."""
