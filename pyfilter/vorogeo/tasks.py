@@ -245,10 +245,10 @@ class Tasks:
                 f"{name}: is a path of length {line.length:g}, too long for points {spacing:g} apart, which the width "
                 "asks for; give a greater width, or fewer points along it (points_along)."
             )
-        own = self._rows(name, line.surface_points)
+        bends = self._rows(name, line.surface_points)
         between: Rows
-        (between,) = self._ask(self._shared.core.steps_along, own, spacing, method="exact")
-        return point_lists.joined([own, between])
+        (between,) = self._ask(self._shared.core.steps_along, bends, spacing, method="exact")
+        return point_lists.joined([bends, between])
 
     def distance_matrix(
         self,
