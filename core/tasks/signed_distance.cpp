@@ -76,10 +76,10 @@ void require_apart(const Mesh& mesh, const CutMesh& cut) {
       const std::string who = other->second == k ? "Curve " + std::to_string(k) + " crosses or touches itself"
                                                  : "Curves " + std::to_string(other->second) + " and " +
                                                        std::to_string(k) + " cross or touch";
-      throw InvalidInput(
-          who + " at " + name_of(mesh, cut.points[point]) +
-          ", so that it has no two sides there, as one that leads there and back; give curves that "
-          "pass each point once.");
+      throw InvalidInput(who + " at " + name_of(mesh, cut.points[point]) +
+                         ", so that there are no two sides; give curves that pass each point once, and do "
+                         "not lead back along "
+                         "themselves.");
     }
   }
 }

@@ -24,8 +24,7 @@ void require_faces(const CMeshO& layer) {
   if (layer.fn == 0 && layer.en > 0) {
     throw InvalidInput(
         "The current layer has lines but no faces, and geodesic distances run over faces: make the layer of "
-        "the "
-        "surface the current one.");
+        "the surface the current one.");
   }
   if (layer.fn == 0) {
     throw InvalidInput(

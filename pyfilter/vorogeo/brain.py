@@ -38,7 +38,7 @@ class Labels:
     values: NDArray[np.int32]
     names: dict[int, str]
 
-    def mask(self, outside: Iterable[str] = OUTSIDE) -> NDArray[np.bool_]:
+    def mask(self, outside: str | Iterable[str] = OUTSIDE) -> NDArray[np.bool_]:
         """The vertices that belong to the surface: those whose label is not negative and has no name in `outside`.
 
         Without names, those whose label is not 0.
@@ -46,14 +46,16 @@ class Labels:
         Raises
         ------
         InvalidInput
-            (a ValueError) If no label has a name that is not of `OUTSIDE`.
+            (a ValueError) If a name in `outside` is neither that of a label nor in `OUTSIDE`.
         """
         if not self.names:
             return np.not_equal(self.values, 0)
-        plain = {_plain(name) for name in outside}
-        unknown = plain - OUTSIDE - {_plain(name) for name in self.names.values()}
-        if unknown:
-            raise InvalidInput(f"outside: no label is called {min(unknown)!r}; give names of labels.")
+        given = [outside] if isinstance(outside, str) else list(outside)
+        known = OUTSIDE | {_plain(name) for name in self.names.values()}
+        for name in given:
+            if _plain(name) not in known:
+                raise InvalidInput(f"outside: no label is called {name!r}; give names of labels.")
+        plain = {_plain(name) for name in given}
         left_out = [key for key, name in self.names.items() if _plain(name) in plain]
         return (self.values >= 0) & ~np.isin(self.values, left_out)
 
@@ -176,12 +178,12 @@ def label_borders(surface: Surface, labels: ArrayLike | Labels, label: int | Non
         Or `GeodesicIndex`; masked faces have no border.
     labels : Labels or array_like of int, shape (n,)
     label : int, optional
-        Only the borders of this one; None is all.
+        Only the borders of this one; None is all. One that no vertex has is an error.
     """
     values = _checked(surface, labels)
     if label is not None:
         if label not in values:
-            raise InvalidInput(f"label: no vertex has {label!r}; give one of the values.")
+            raise InvalidInput(f"label: no vertex has {label}; give a label that vertices have.")
         values = values == label
     corner = values[surface.faces]
     used = np.ones(len(corner), bool) if surface.mask is None else surface.mask
@@ -251,11 +253,8 @@ def nearest_label(
         (a ValueError) Also if no vertex has a label.
     """
     values = _checked(surface, labels)
-    labelled = np.flatnonzero(
-        ~np.isin(
-            values, np.atleast_1d(np.asarray(list(background) if isinstance(background, Iterable) else background))
-        )
-    )
+    left_out = np.array([background] if isinstance(background, (int, np.integer)) else list(background))
+    labelled = np.flatnonzero(~np.isin(values, left_out))
     if not len(labelled):
         raise InvalidInput("labels: no vertex has a label that is not background.")
     distance, nearest = surface.distance_field(labelled, max_distance, return_labels=True, method=method)

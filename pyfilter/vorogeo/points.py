@@ -48,14 +48,14 @@ class SurfacePoints:
 
     def positions(self, vertices: ArrayLike, faces: ArrayLike) -> NDArray[np.float64]:
         """The positions of the points in space, float64 of shape (k, 3), from the arrays of the mesh of the surface."""
-        places = check.vertices(vertices, finite=False)
-        corners = places[self._corners(faces, len(places))]
+        places = check.numbers("vertices", vertices, "a row of numbers for each vertex")
+        corners = places[self._corners(faces, len(places))].astype(np.float64)
         found: NDArray[np.float64] = np.einsum("kc,kcd->kd", np.atleast_2d(self.barycentric), corners)
         return found
 
     def _corners(self, faces: ArrayLike, vertex_count: int) -> NDArray[np.int32]:
         """The corners of each point's face."""
-        triangles, own = check.faces(faces, vertex_count), _face_ids("points", self.faces)
+        triangles, own = check.faces(faces, vertex_count), _face_ids("faces", self.faces)
         if (own >= len(triangles)).any():
             raise InvalidInput(
                 f"faces: has {len(triangles)} rows, but a point lies in face {own.max()}; give those of the surface."

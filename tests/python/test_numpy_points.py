@@ -47,7 +47,6 @@ def test_masked_entries_are_named(plane):
 def test_a_path_is_one_source_with_its_own_points(plane):
     path = plane.path(0, 31 * 20 + 17)
     field = plane.distance_field(path, method="exact")
-    assert field[path.vertices[path.vertices >= 0]].max() == 0
     end = PLANE[0][31 * 20 + 17]
     nearest = np.clip(PLANE[0] @ end / (end @ end), 0, 1)[:, None] * end
     np.testing.assert_allclose(field, np.linalg.norm(PLANE[0] - nearest, axis=1), atol=0.02)

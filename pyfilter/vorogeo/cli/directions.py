@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from ..errors import InvalidInput
 from ..points import SurfacePoints
+from ..surface import GeodesicIndex
 from .job import Command, MeshTask
 from .outputs import Result
 from .paths import lines_of
@@ -19,7 +20,7 @@ def directions(task: MeshTask) -> Result:
     """Where all vertices lie as seen from a point: vectors in its frame; as quality their angle."""
     limit = task.options.get("max_distance")
     how: dict[str, Any] = {"max_distance": limit, "return_distance": True, "progress": task.progress}
-    if task.options.get("index") and not task.exact:
+    if isinstance(task.surface, GeodesicIndex) and not task.exact:
         how["method"] = "index"
     vector, distance = task.surface.log_map(task.points("at"), **how)
     reached = np.isfinite(distance)

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from ..errors import InvalidInput
 from ..mesh_files import read_with_values
-from ..metrics import Metric
+from ..metrics import FaceRanders, Metric
 from ..points import Points
 from ..surface import GeodesicIndex, Surface
 from .sources import metric_of, points_of
@@ -115,7 +115,8 @@ class MeshTask:
     @cached_property
     def surface(self) -> Surface:
         """What answers: the index that options name or describe, else a surface that builds one where that pays."""
-        described = not self.exact and (self.options.get("patches") or self.options.get("delta"))
+        chosen = self.options.get("patches") or self.options.get("delta")
+        described = chosen and not self.exact and not isinstance(self.metric, FaceRanders)
         return self.index if self.options.get("index") or described else self.plain
 
     def points(self, option: str) -> Points:

@@ -32,7 +32,7 @@ _PRINTED = (
     "info",
 )
 #: A position that begins with a number below 0, which argparse would take for an option.
-_NEGATIVE = re.compile(r"-[\d.][^,]*,.*")
+_NEGATIVE = re.compile(r"-[\d.][\d.eE+-]*(,[\d.eE+-]+)+")
 _ENDINGS = {"index": ".vgi", "neighbours": ".npz", "profile": ".csv", "cut": ".ply", "cut-locus": ".ply"}
 _NOT_IN_JOBS = ("command", "mesh", "out", "format", "jobs", "scheduler", "overwrite", "quiet", "version")
 

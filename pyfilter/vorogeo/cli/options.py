@@ -97,7 +97,7 @@ _FORMATS = ("npy", "npz", "mat", "csv", "ply", "gii")
 #: By the word that stands for what an option takes; "": nothing.
 _TAKES: dict[str, dict[str, Any]] = {
     "": {"action": "store_true"},
-    "POINT": {"nargs": "+", "action": "extend"},
+    "POINT": {"nargs": "+", "action": "extend", "type": str.strip},
     "L": {"type": _LENGTH},
     "X,Y,Z": {"type": _vector},
     "P": {"type": _LENGTH},
@@ -347,7 +347,7 @@ _COMMON: _Options = (
         choices=_FORMATS,
     ),
     _option("--dtype", "of distances", choices=("float64", "float32"), default="float64"),
-    _option("--exact", "exact also where an index is quicker, which is built where that pays; without errors"),
+    _option("--exact", "never from an index, which is built where it pays: slower for many answers, no errors"),
     _option(
         "--normalise",
         "sqrt-area: scale the mesh to area 1, so lengths are parts of its root",
@@ -384,7 +384,7 @@ _COMMON: _Options = (
         nargs=2,
         type=_PATCHES,
     ),
-    _option("--delta D", "build an index, also where it does not pay, and prune it with so much more error"),
+    _option("--delta D", "above 0: build an index, also where it does not pay, and prune it with so much more error"),
     _option("--memory-budget MIB", "what the index may take; default 4096"),
     _option("--threads N", "for each mesh; default: cores shared by the jobs", type=_THREADS),
     _option("--jobs N", "meshes, or processes of --scheduler local, at a time", type=_COUNT, default=1),

@@ -35,7 +35,7 @@ _TABLES = (".npy", ".txt", ".csv", ".dat")
 
 def points_of(name: str, words: list[str], snap: Callable[[Any], SurfacePoints], scale: float) -> Points:
     """The points; positions, in the unit of the file, are moved by `snap` to the nearest point of the surface."""
-    found: list[Points] = [_points_of_word(name, word.strip(), snap, scale) for word in words]
+    found: list[Points] = [_points_of_word(name, word, snap, scale) for word in words]
     if all(isinstance(part, np.ndarray) for part in found):
         return np.concatenate([np.atleast_1d(np.asarray(part)) for part in found])
     return list(found)  # type: ignore[return-value]

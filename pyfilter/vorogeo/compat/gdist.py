@@ -48,9 +48,9 @@ def compute_gdist(
     """
     sources = [0] if source_indices is None else source_indices
     faces = _faces(triangles, is_one_indexed)
+    limit = _limit(max_distance)
     if target_indices is None:
-        return exact_distance_field(vertices, faces, sources, _limit(max_distance))
-    _limit(max_distance)
+        return exact_distance_field(vertices, faces, sources, limit)
     field = exact_distance_field(vertices, faces, sources)
     found: NDArray[np.float64] = field[check.vertex_ids("target_indices", target_indices, len(field))]
     return found
