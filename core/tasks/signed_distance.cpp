@@ -77,9 +77,7 @@ void require_apart(const Mesh& mesh, const CutMesh& cut) {
                                                  : "Curves " + std::to_string(other->second) + " and " +
                                                        std::to_string(k) + " cross or touch";
       throw InvalidInput(who + " at " + name_of(mesh, cut.points[point]) +
-                         ", so that there are no two sides; give curves that pass each point once, and do "
-                         "not lead back along "
-                         "themselves.");
+                         ", so that it has no two sides there; give curves that pass each point once.");
     }
   }
 }
