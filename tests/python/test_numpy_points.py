@@ -53,6 +53,13 @@ def test_a_path_is_one_source_with_its_own_points(plane):
     assert plane.distance_field(plane.path(0, 30), method="exact")[:31].max() == 0
 
 
+def test_values_of_vertices_become_those_of_points(plane):
+    points = plane.snap([[0.1, 0.1, 0], [2.9, 1.9, 0]])
+    for columns in ([0], [1, 0, 1, 1]):
+        values = points.positions(PLANE[0][:, columns], PLANE[1])
+        np.testing.assert_array_equal(values, points.positions(*PLANE)[:, columns])
+
+
 def test_faces_of_another_mesh_are_named(plane):
     points = plane.snap([[0.1, 0.1, 0], [2.9, 1.9, 0]])
     with pytest.raises(vorogeo.InvalidInput, match=r"faces: has 3 rows, but a point lies in face \d+"):
