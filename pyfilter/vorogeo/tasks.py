@@ -246,9 +246,9 @@ class Tasks:
                 "asks for; give a greater width, or fewer points along it (points_along)."
             )
         bends = self._rows(name, line.surface_points)
-        between: Rows
-        (between,) = self._ask(self._shared.core.steps_along, bends, spacing, method="exact")
-        return point_lists.joined([bends, between])
+        steps: Rows
+        (steps,) = self._ask(self._shared.core.steps_along, bends, spacing, method="exact")
+        return point_lists.joined([bends, steps])
 
     def distance_matrix(
         self,
