@@ -22,6 +22,10 @@ namespace vorogeo {
 
 // ---- Construction of the flat half-edge mesh, and what is refused
 
+std::string vertex_range(Index vertex_count) {
+  return vertex_count == 0 ? "no vertices" : "vertices 0 to " + std::to_string(vertex_count - 1);
+}
+
 namespace {
 
 void require_finite(const std::vector<Point>& positions) {
@@ -39,9 +43,8 @@ void require_vertices(const std::vector<std::array<Index, 3>>& faces, Index vert
   for (std::size_t f = 0; f < faces.size(); ++f) {
     for (Index v : faces[f]) {
       if (v >= 0 && v < vertex_count) continue;
-      throw InvalidInput(
-          "Face " + std::to_string(f) + " names vertex " + std::to_string(v) + ", but the mesh has " +
-          (vertex_count == 0 ? "no vertices." : "vertices 0 to " + std::to_string(vertex_count - 1) + "."));
+      throw InvalidInput("Face " + std::to_string(f) + " names vertex " + std::to_string(v) +
+                         ", but the mesh has " + vertex_range(vertex_count) + ".");
     }
   }
 }

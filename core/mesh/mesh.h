@@ -35,6 +35,9 @@ inline bool is_impassable(const std::array<double, 3>& sides) {
                              [](double side) { return side == std::numeric_limits<double>::infinity(); });
 }
 
+/// Which vertices there are, for a sentence: "vertices 0 to 7", "no vertices".
+std::string vertex_range(Index vertex_count);
+
 /// The position of all vertices of a surface that was given none.
 inline constexpr Point no_position{std::numeric_limits<double>::quiet_NaN(),
                                    std::numeric_limits<double>::quiet_NaN(),

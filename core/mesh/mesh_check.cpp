@@ -551,9 +551,7 @@ std::vector<std::string> MeshReport::sentences() const {
       vertex(non_finite_vertices), "such a mesh is refused: repair it or remove its bad vertices.");
   say(faces_out_of_range, "face names a vertex that does not exist|faces name a vertex that does not exist",
       face(faces_out_of_range),
-      "such a mesh is refused: it has " +
-          (vertices == 0 ? std::string("no vertices") : "vertices 0 to " + std::to_string(vertices - 1)) +
-          "; repair it or remove its bad faces.");
+      "such a mesh is refused: it has " + vertex_range(vertices) + "; repair it or remove its bad faces.");
   say(faces_with_repeated_vertex, "face names a vertex twice|faces name a vertex twice",
       face(faces_with_repeated_vertex), "left out.");
   say(duplicate_faces,

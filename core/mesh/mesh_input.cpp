@@ -41,9 +41,8 @@ SurfacePoint InputMap::point_in(const InputPoint& point) const {
     if (point.vertex >= 0 && point.vertex < mesh_.given_vertex_count()) {
       return SurfacePoint::at_vertex(point.vertex);
     }
-    throw InvalidInput("Vertex " + std::to_string(point.vertex) +
-                       " does not exist: the mesh has vertices 0 to " +
-                       std::to_string(mesh_.given_vertex_count() - 1) + ".");
+    throw InvalidInput("Vertex " + std::to_string(point.vertex) + " does not exist: the mesh has " +
+                       vertex_range(mesh_.given_vertex_count()) + ".");
   }
   if (const auto found = in_face(point.face, point.weights)) return *found;
   throw InvalidInput("Face " + std::to_string(point.face) +

@@ -27,9 +27,8 @@ constexpr double weight_rounding = 1e-14;
 SurfacePoint validated(const Mesh& mesh, const SurfacePoint& point) {
   if (point.is_vertex()) {
     if (point.vertex < 0 || point.vertex >= mesh.vertex_count()) {
-      throw InvalidInput("Vertex " + std::to_string(point.vertex) +
-                         " does not exist: the mesh has vertices 0 to " +
-                         std::to_string(mesh.vertex_count() - 1) + ".");
+      throw InvalidInput("Vertex " + std::to_string(point.vertex) + " does not exist: the mesh has " +
+                         vertex_range(mesh.vertex_count()) + ".");
     }
     return SurfacePoint::at_vertex(mesh.representative(point.vertex));
   }
@@ -171,8 +170,7 @@ PointList points_on(const Mesh& mesh, const PointList& points, const char* role)
     const std::string name = std::string(role) + " " + std::to_string(i);
     if (point.face == no_index && (point.vertex < 0 || point.vertex >= mesh.vertex_count())) {
       throw InvalidInput(name + " is vertex " + std::to_string(point.vertex) +
-                         ", which does not exist: the mesh has vertices 0 to " +
-                         std::to_string(mesh.vertex_count() - 1) + ".");
+                         ", which does not exist: the mesh has " + vertex_range(mesh.vertex_count()) + ".");
     }
     try {
       result.push_back(canonical(mesh, validated(mesh, point)));

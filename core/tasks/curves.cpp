@@ -30,6 +30,7 @@ class AlongPath {
     }
   }
 
+  const Points& points() const { return points_; }
   double length() const { return walked_.back(); }
 
   SurfacePoint at(double fraction) const {
@@ -176,8 +177,8 @@ std::vector<SurfacePoint> points_along(const Mesh& mesh, const PointList& path,
 std::vector<SurfacePoint> steps_along(const Mesh& mesh, const PointList& path, double spacing) {
   const AlongPath along = along_path(mesh, path);
   const int steps = pieces_of(along.length(), spacing);
-  std::vector<SurfacePoint> found;
-  for (int i = 0; i <= steps; ++i) found.push_back(along.at(static_cast<double>(i) / steps));
+  std::vector<SurfacePoint> found = along.points();
+  for (int i = 1; i < steps; ++i) found.push_back(along.at(static_cast<double>(i) / steps));
   return found;
 }
 

@@ -14,7 +14,7 @@ namespace vorogeo {
 std::vector<SurfacePoint> points_along(const Mesh& mesh, const PointList& path,
                                        std::span<const double> fractions);
 
-/// The points that divide a path into equal steps of at most `spacing`, with its ends. \throw InvalidInput
+/// The points of a path, then those that divide it into equal steps of at most `spacing`. \throw InvalidInput
 /// also for a spacing that is not above 0 or makes more than ten million points.
 std::vector<SurfacePoint> steps_along(const Mesh& mesh, const PointList& path, double spacing);
 

@@ -186,7 +186,7 @@ Girth girth(Surface& surface, const SurfacePoint& given, const std::optional<Poi
   if (!mesh.has_positions())
     throw InvalidInput("A girth needs the positions of the vertices, not lengths alone.");
   require_agreeing_faces(mesh, "Loops");
-  const SurfacePoint point = canonical(mesh, validated(mesh, given));
+  const SurfacePoint point = point_of_loop(mesh, given);
   const Watch watch(options.progress, "Girth");
   const Stopwatch stopwatch;
   Cutter cutter(mesh, point);

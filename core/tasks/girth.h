@@ -22,8 +22,8 @@ struct Girth {
 /// At a point. Without a normal, the plane is the one of the shortest closed section among those through the
 /// surface's normal there: of 36 at equal angles, and of those between the neighbours of the best. \throw
 /// InvalidInput for a section that meets a border or an edge of three faces (names the edge), a plane that
-/// only touches the surface, a normal without direction, a metric that jumps, or a surface without positions;
-/// Cancelled. Complexity: O(faces cut) for each section; then that of tightened().
+/// only touches the surface, a vertex without a face, a normal without direction, a metric that jumps, or a
+/// surface without positions; Cancelled. Complexity: O(faces cut) for each section; then that of tightened().
 Girth girth(Surface& surface, const SurfacePoint& point, const std::optional<Point>& normal,
             const TaskOptions& options = {});
 

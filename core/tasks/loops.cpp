@@ -119,6 +119,15 @@ std::string slip_at(const Mesh& mesh, const SurfacePoint& point) {
 
 }  // namespace
 
+SurfacePoint point_of_loop(const Mesh& mesh, const SurfacePoint& given) {
+  const SurfacePoint point = canonical(mesh, validated(mesh, given));
+  if (point.is_vertex() && mesh.fan(point.vertex) == Mesh::Fan::isolated) {
+    throw InvalidInput("No loop passes through " + name_of(mesh, point) +
+                       ", as no face has it; give a point on a face.");
+  }
+  return point;
+}
+
 TightLoop tightened(const ExactGeometry& geometry, std::vector<SurfacePoint> curve, int max_rounds) {
   const Mesh& mesh = *geometry.mesh;
   PathRefiner refiner(geometry);
@@ -431,7 +440,7 @@ SurfacePath loop_like(Surface& surface, LoopTask& task, const SurfacePoint& poin
 ExactPath shortest_loop(Surface& surface, const SurfacePoint& given, const PointList& curve,
                         const TaskOptions& options) {
   LoopTask task(surface, options);
-  const SurfacePoint point = canonical(task.mesh, validated(task.mesh, given));
+  const SurfacePoint point = point_of_loop(task.mesh, given);
   SurfacePath loop = curve.empty() ? shortest_of_classes(surface, task, point)
                                    : loop_like(surface, task, point, task.line_through(curve));
   if (loop.points.empty()) {

@@ -28,6 +28,10 @@ struct TightLoop {
 TightLoop tightened(const ExactGeometry& geometry, std::vector<SurfacePoint> curve,
                     int max_rounds = max_loop_rounds);
 
+/// The point, validated, through which a loop is wanted. \throw InvalidInput also for a vertex without a
+/// face.
+SurfacePoint point_of_loop(const Mesh& mesh, const SurfacePoint& given);
+
 /// The closed geodesic that a closed curve through these points is pulled to; see tightened(). If it is not
 /// `closed`, the locally shortest path to which the curve is pulled with its ends held. Points that share no
 /// face are joined by shortest paths, of a closed curve the last with the first. What answered has the
@@ -40,8 +44,8 @@ ExactPath tighten(Surface& surface, const PointList& curve, bool closed = true,
 /// the point that remain when all of its ends are pruned back, one loop for each class of them (Erickson,
 /// Har-Peled 2004, with exact distances), is pulled tight with the point held. With a `curve`: of those like
 /// the curve, which is reached by the shortest path from the point, the loop that this is pulled to.
-/// \throw InvalidInput as tighten(); where every loop through the point contracts; for an edge of three
-/// faces; Cancelled. Complexity: a field, and O(n log n).
+/// \throw InvalidInput as tighten(); where every loop through the point contracts; for a vertex without a
+/// face and an edge of three; Cancelled. Complexity: a field, and O(n log n).
 ExactPath shortest_loop(Surface& surface, const SurfacePoint& point, const PointList& curve,
                         const TaskOptions& options = {});
 

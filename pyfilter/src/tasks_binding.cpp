@@ -109,7 +109,7 @@ auto along(const TaskOptions&, const HeldSurface& held, const PointArrays& path,
   return std::tuple(columns_of(held, points_along(held.mesh(), held.points(path), values_of(fractions))));
 }
 
-/// Points at most `spacing` apart; 0: a quarter of the typical edge.
+/// The points of a path and others, at most `spacing` apart; 0: a quarter of the typical edge.
 auto stepped(const TaskOptions&, const HeldSurface& held, const PointArrays& path, double spacing) {
   const Mesh& mesh = held.mesh();
   const double wanted = spacing > 0.0 ? spacing : 0.25 * mesh.typical_edge_length();
@@ -448,7 +448,7 @@ OutputFile* make(const std::filesystem::path& file, const std::string& what, con
 }  // namespace
 
 void bind_output(nb::module_& module) {
-  module.def("available_memory_bytes", &available_memory_bytes);
+  module.def("require_memory", &require_memory);
   nb::class_<OutputFile>(module, "OutputFile")
       .def_static("make", &make)
       .def_prop_ro("temporary", &OutputFile::temporary)

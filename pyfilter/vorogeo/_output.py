@@ -15,7 +15,7 @@ from numpy.typing import DTypeLike, NDArray
 
 from . import _arguments as check
 from . import _core
-from .errors import InvalidInput, NotEnoughMemory
+from .errors import InvalidInput
 
 Output = str | os.PathLike[str] | NDArray[Any] | None
 _Report = Callable[[float, str], object] | None
@@ -38,16 +38,6 @@ def matrix_bytes(rows: int, columns: int, dtype: DTypeLike | None = None) -> int
     return size * check.integer("rows", rows, 0, 2**40) * check.integer("columns", columns, 0, 2**40)
 
 
-def require_memory(what: str, needed: float, max_bytes: int | None, advice: str) -> None:
-    """Raise NotEnoughMemory if `needed` bytes are more than allowed or, without a limit, available."""
-    limit = check.byte_limit(max_bytes) or _core.available_memory_bytes()
-    if needed > limit:
-        bound = "available" if max_bytes is None else "allowed by max_bytes"
-        raise NotEnoughMemory(
-            f"{what} takes {needed / 2**30:.3g} GiB, more than the {limit / 2**30:.3g} GiB {bound}; {advice}"
-        )
-
-
 @contextmanager
 def matrix(
     rows: int, columns: int, out: Output, max_bytes: int | None, dtype: DTypeLike | None = None
@@ -65,10 +55,12 @@ def matrix(
     entry = check.real_type(dtype)
     size = matrix_bytes(rows, columns, entry)
     if out is None:
-        require_memory(
-            f"The matrix of {rows} x {columns} distances", size, max_bytes,
-            "give fewer points, dtype='float32', or out='file.npy' to write it to a file.",
-        )  # fmt: skip
+        _core.require_memory(
+            size,
+            check.byte_limit(max_bytes),
+            f"The matrix of {rows} x {columns} distances",
+            "Give fewer points, a greater max_bytes, dtype='float32', or out='file.npy' to write it to a file.",
+        )
         yield np.empty((rows, columns), entry)
         return
     head = _head(rows, columns, entry)

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from . import _arguments as check
 from . import _core
 from . import points as point_lists
-from ._output import Output, matrix, releasing, reopened, require_memory
+from ._output import Output, matrix, releasing, reopened
 from .errors import InvalidInput
 from .mesh_input import MeshInput
 from .metrics import Metric
@@ -245,10 +245,11 @@ class Tasks:
                 f"{name}: is a path of length {line.length:g}, too long for points {spacing:g} apart, which the width "
                 "asks for; give a greater width, or fewer points along it (points_along)."
             )
-        bends = self._rows(name, line.surface_points)
-        steps: Rows
-        (steps,) = self._ask(self._shared.core.steps_along, bends, spacing, method="exact")
-        return point_lists.joined([bends, steps])
+        points: Rows
+        (points,) = self._ask(
+            self._shared.core.steps_along, self._rows(name, line.surface_points), spacing, method="exact"
+        )
+        return points
 
     def distance_matrix(
         self,
@@ -441,7 +442,7 @@ class Tasks:
         entry = check.real_type(dtype)
         chosen, asked = self._rows("points", points), self._rows("queries", queries)
         count, size = check.integer("k", k, 1, 2**31 - 1), len(asked[0])
-        require_memory(f"The result of {size} x {count} neighbours", 24.0 * size * count, None, "lower k.")
+        _core.require_memory(24.0 * size * count, 0, f"The result of {size} x {count} neighbours", "Lower k.")
         positions, distances = self._ask(self._core(to).nearest, chosen, asked, count, method=method, progress=progress)
         return distances.reshape(-1, count).astype(entry, copy=False), positions.reshape(-1, count)
 

@@ -251,6 +251,10 @@ def test_profiles_have_the_thickness_of_a_box(random: Rng) -> None:
     assert flat.curvature == 0
 
 
+def with_isolated_vertex(shape: Shape) -> vorogeo.Surface:
+    return vorogeo.Surface(np.vstack([shape.vertices, np.ones(3)]), shape.faces)
+
+
 REFUSED: dict[str, tuple[Any, str]] = {
     "two components": (lambda: ask.surface(PARTS).path_through([3, 100, 200]),
                        r"from point 1 \(vertex 100\) to point 2 \(vertex 200\): they are on two components"),
@@ -271,6 +275,10 @@ REFUSED: dict[str, tuple[Any, str]] = {
     "a section with ends": (lambda: ask.surface(PRISM).girth(77, [1.0, 0.1, 0]),
                             r"through vertex 77 is not closed: it meets the border at the edge between vertex \d+ and"),
     "a plane that touches": (lambda: ask.surface(BOX).girth(0, [1.0, 1, 1]), "only touches the surface at vertex 0"),
+    "a loop through a vertex without a face": (lambda: with_isolated_vertex(BOX).shortest_loop(len(BOX.vertices)),
+                                               r"No loop passes through vertex \d+, as no face has it"),
+    "the girth at a vertex without a face": (lambda: with_isolated_vertex(BOX).girth(len(BOX.vertices)),
+                                             r"No loop passes through vertex \d+, as no face has it"),
     "a normal of 0": (lambda: ask.surface(BOX).girth(0, [0.0, 0, 0]), "normal: is .* give three numbers"),
     "upwards without direction": (lambda: ask.surface(BOX).profile([0, 1], np.zeros(3)), "up: is .* give three"),
     "a path that leaps": (lambda: ask.surface(PRISM).profile([0, 100]),

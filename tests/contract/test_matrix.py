@@ -87,7 +87,7 @@ def test_a_file_for_the_result_is_a_npy_file(question: str, by: str, tmp_path: P
 @pytest.mark.parametrize(("question", "by"), QUESTIONS)
 def test_what_does_not_fit_is_refused_before_it_is_computed(question: str, by: str, tmp_path: Path) -> None:
     shape = table.named("bumpy")
-    with ask.refused("allowed by max_bytes", vorogeo.NotEnoughMemory):
+    with ask.refused("allowed. Give", vorogeo.NotEnoughMemory):
         call(question, by, shape, max_bytes=100)
     with ask.refused("out: "):
         call(question, by, shape, out=np.empty((2, 2)))

@@ -73,6 +73,11 @@ def test_a_mesh_without_faces_has_no_index() -> None:
         vorogeo.GeodesicIndex(np.zeros((3, 3)), np.empty((0, 3), int))
 
 
+def test_a_mesh_without_vertices_has_no_extent() -> None:
+    with ask.refused("the mesh has no vertices"):
+        vorogeo.Surface(np.empty((0, 3)), np.empty((0, 3), int)).extent()
+
+
 Question = Callable[..., Any]
 IDS: list[tuple[str, Any, str]] = [
     ("a vertex that is not there", COUNT, f"there is no vertex {COUNT}"),

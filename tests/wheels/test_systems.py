@@ -170,7 +170,9 @@ def test_files_that_cannot_be_written_are_refused_by_name(index, folder):
         assert protected.read_bytes() == b"old"
     protected.chmod(0o644)
     assert names(folder) == ["protected.vgi"]
-    assert 0 < _core.available_memory_bytes() < 2**50
+    _core.require_memory(1.0, 0, "A byte", "Wait.")
+    with pytest.raises(vorogeo.NotEnoughMemory, match="of memory available. Wait"):
+        _core.require_memory(2.0**50, 0, "A petabyte", "Wait.")
 
 
 def program(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
