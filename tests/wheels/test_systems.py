@@ -171,7 +171,7 @@ def test_files_that_cannot_be_written_are_refused_by_name(index, folder):
     protected.chmod(0o644)
     assert names(folder) == ["protected.vgi"]
     _core.require_memory(1.0, 0, "A byte", "Wait.")
-    with pytest.raises(vorogeo.NotEnoughMemory, match="of memory available. Wait"):
+    with pytest.raises(vorogeo.NotEnoughMemory, match=r"of memory available\. Wait"):
         _core.require_memory(2.0**50, 0, "A petabyte", "Wait.")
 
 
