@@ -14,10 +14,10 @@ namespace vorogeo {
 
 namespace {
 
-/// A crossing is a vertex if it is this near.
+/// Crossings this close to an end of their edge, as a fraction of it, lie at its vertex.
 constexpr double at_vertex = 1e-9;
 
-/// The drift from the first corner of a face, or the first vertex of an edge, to a joint at a fraction.
+/// The drift from a face's first corner, or an edge's first vertex, to a joint at `fraction` of its edge.
 double drift_to(const FaceNorms& norms, const PathJoint& joint, double fraction, Index face, Index edge) {
   const Mesh& mesh = norms.mesh();
   if (!mesh.has_drifts()) return 0.0;
@@ -31,7 +31,8 @@ double drift_to(const FaceNorms& norms, const PathJoint& joint, double fraction,
   return weights[(forward ? Mesh::next_in_face(h) : h) % 3] * mesh.edge_drift(edge);
 }
 
-/// Where a joint lies as a function of its fraction, on the line of an edge or in the plane of a face.
+/// The position of a joint as a function of its fraction, `at + fraction * along`, on the line of an edge or
+/// in the plane of a face.
 void place_joint(const FaceNorms& norms, const PathJoint& joint, Index face, Index edge,
                  PathPiece::Vector& at, PathPiece::Vector& along) {
   const Mesh& mesh = norms.mesh();
@@ -64,7 +65,7 @@ void place_joint(const FaceNorms& norms, const PathJoint& joint, Index face, Ind
   }
 }
 
-/// Keeps an end of a piece where its joint is.
+/// Fixes an end of a piece at the current position of its joint.
 void fix(const PathJoint& joint, PathPiece::Vector& at, PathPiece::Vector& along, double& drift_at,
          double& drift_along) {
   at = {at[0] + joint.fraction * along[0], at[1] + joint.fraction * along[1]};
@@ -97,7 +98,7 @@ PathPiece CrossingPath::piece(std::size_t number) const {
   const auto& [face, edge] = passed_[number];
   place_joint(norms_, joints_[number], face, edge, piece.begin_at, piece.begin_along);
   place_joint(norms_, joints_[number + 1], face, edge, piece.end_at, piece.end_along);
-  // A wave came the other way.
+  // Drifts are those from the end to the beginning, as the wave came the other way.
   const PathJoint& begin = joints_[number];
   const PathJoint& end = joints_[number + 1];
   const double at_begin = drift_to(norms_, begin, 0.0, face, edge);
@@ -108,7 +109,7 @@ PathPiece CrossingPath::piece(std::size_t number) const {
   return piece;
 }
 
-/// Moves the joints between two that stay. \return the length of the pieces there.
+/// Moves the joints between two fixed ones to where the pieces are shortest. \return their length.
 double CrossingPath::refract_between(std::size_t begin, std::size_t end) {
   std::vector<PathPiece> pieces;
   std::vector<double> crossing;
@@ -143,13 +144,13 @@ double CrossingPath::refract_all() {
 
 namespace {
 
-/// Of an edge at a vertex, where a crossing begins to look for its place.
+/// Where on an edge, as a fraction of it from the vertex that is passed, the search for the crossing begins.
 constexpr double near_vertex = 0.1;
 
-/// Shorter by no more than this part is rounding.
+/// Lengths that differ by no more than this fraction are equal up to rounding.
 constexpr double same_length = 1e-12;
 
-/// The edge that two faces share at a vertex, of which `corner` and `next` are the half-edges that leave it.
+/// The edge that two faces share at a vertex; `corner` and `next` are their half-edges that leave the vertex.
 Index shared_edge(const Mesh& mesh, Index corner, Index next) {
   for (const Index a : {corner, Mesh::previous_in_face(corner)}) {
     for (const Index b : {next, Mesh::previous_in_face(next)}) {
@@ -161,8 +162,8 @@ Index shared_edge(const Mesh& mesh, Index corner, Index next) {
 
 }  // namespace
 
-/// Tries all ways past the vertex at which the joints between two lie: between the faces before and behind
-/// it, on both sides.
+/// Tries all paths past the vertex at which the joints between `begin` and `end` lie: on both sides of it,
+/// from each face before it to each one behind it.
 void CrossingPath::take_other_ways(std::size_t begin, std::size_t end, CrossingPath& best,
                                    double& least) const {
   const Mesh& mesh = norms_.mesh();

@@ -15,17 +15,17 @@ struct PathJoint {
   double fraction = 0.0;  ///< of the edge, from its first vertex
 };
 
-/// The point of an edge as a joint; a vertex if it is as near as rounding.
+/// The joint at a fraction of an edge, or at the vertex at an end of it where that is within rounding.
 PathJoint joint_on(const Mesh& mesh, Index edge, double fraction);
 
-/// Straight pieces across faces and along edges, from joint to joint, back from a target towards its source:
-/// where the ways there and back differ, costs are those of the wave, which came the other way. One object
-/// belongs to one thread.
+/// A path of straight pieces across faces and along edges, traced back from a target towards its source. In a
+/// one-way metric, costs are those of the opposite direction, in which the wave came. One object belongs to
+/// one thread.
 class CrossingPath {
  public:
   CrossingPath(const FaceNorms& norms, const SurfacePoint& begin) : norms_(norms), joints_{{begin}} {}
 
-  /// Where the path is.
+  /// The end of the path so far.
   const PathJoint& here() const { return joints_.back(); }
   /// Goes on across a face, or along an edge if there is no face.
   void go_to(const PathJoint& joint, Index face, Index edge);

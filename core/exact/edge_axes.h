@@ -1,4 +1,4 @@
-// An edge of a face in the plane of that.
+// The axes of an edge in the plane of one of its faces.
 #pragma once
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 
 namespace vorogeo {
 
-/// Where positions on the edge begin, and the unit vectors along it and into the face.
+/// The point from which positions on the edge count, and the unit vectors along the edge and into the face.
 struct EdgeAxes {
-  /// \pre The edge has a length.
+  /// \pre The edge is longer than 0.
   EdgeAxes(const ExactGeometry& geometry, const FacePlane& plane, Index face, Index edge) {
     const auto& corners = geometry.mesh->face_vertices(face);
     const auto [a, b] = geometry.ends(edge);

@@ -11,17 +11,17 @@
 
 namespace vorogeo {
 
-// ---- Features, and what of them is seen from the edges around
+// ---- Sizes of features, and how edges around see them
 
 namespace {
 
-/// What is seen over a face is kept where it is smaller than this part of what is known there.
+/// A feature seen over a face is kept where it is smaller than this fraction of the size known there.
 constexpr double much_smaller = 0.7;
-/// Where an edge has as many knots, no more are kept: among needles, there may be far more features than it
-/// has points.
+/// An edge keeps at most this many knots: among needles, features may far outnumber its points.
 constexpr std::size_t most_knots = 32;
 
-/// The distance of the apex of a face from a side, and where it is next to it: in the side's least cost.
+/// The distance of the apex of a face from a side, and the place of the side nearest to it, both in the
+/// side's cost.
 FeatureSizes::Knot apex_of(const EdgeFrame& frame, double cost) {
   const double at = std::clamp(frame.apex_x, 0.0, frame.length);
   const double scale = frame.length > 0.0 ? cost / frame.length : 1.0;
@@ -46,7 +46,7 @@ FeatureSizes::FeatureSizes(const FaceNorms& norms)
     knot.size += size_at_[mesh.apex(h)];
     spread(h, knot);
   }
-  // The smallest first: none that comes later is smaller, so what is kept stays needed.
+  // The smallest first: no later knot is smaller, so those that are kept stay needed.
   for (Index looked_at = 0; !offers_.empty(); ++looked_at) {
     if (looked_at % elements_per_checkpoint == 0) checkpoint();
     const Offer next = offers_.top();
@@ -82,13 +82,13 @@ bool FeatureSizes::is_known(Index edge, const Knot& knot) {
   const auto makes_no_difference = [&](const Knot& known) {
     return !(knot.size < much_smaller * known.size_at(knot.at));
   };
-  // True of nearly all where faces are about as wide as long.
+  // True of nearly all knots where faces are about as wide as long.
   if (std::ranges::any_of(knots_at_ends(edge), makes_no_difference)) return true;
   find_knots(edge, known_);
   return known_.size() >= most_knots || std::ranges::any_of(known_, makes_no_difference);
 }
 
-/// From a place of an edge over its faces, but the one of this half-edge, to their other sides.
+/// Passes a knot of an edge over all its faces except that of the half-edge, to their other sides.
 void FeatureSizes::spread(Index halfedge, const Knot& knot) {
   const Mesh& mesh = norms_.mesh();
   for (Index h = mesh.next_around_edge(halfedge); h != halfedge; h = mesh.next_around_edge(h)) cross(h, knot);
@@ -123,7 +123,7 @@ namespace {
 
 double integral(const FeatureSizes::Knot& from, double way) { return std::log1p(way / from.size); }
 
-/// How far from a knot the integral is `sum`.
+/// The distance from a knot at which the integral is `sum`.
 double reach(const FeatureSizes::Knot& from, double sum) { return from.size * std::expm1(sum); }
 
 }  // namespace
@@ -139,7 +139,7 @@ void EdgeDensity::set(std::span<const Knot> knots) {
   until_.assign(1, 0.0);
   for (std::size_t i = 1; i < knots_.size(); ++i) {
     const auto& [first, second] = std::tie(knots_[i - 1], knots_[i]);
-    // Half-way, sizes as of either knot are the same.
+    // The place at which both knots give the same size.
     const double between = second.at - first.at;
     const double until = std::clamp(0.5 * (between + second.size - first.size), 0.0, between);
     until_.push_back(until_.back() + integral(first, until));
@@ -149,7 +149,7 @@ void EdgeDensity::set(std::span<const Knot> knots) {
 
 double EdgeDensity::place(double share) const {
   const double sum = share * total();
-  // Half of what lies between two knots counts from the one, half from the other.
+  // Up to the place between two knots, the integral counts from the first knot; behind it, from the second.
   const auto until = std::ranges::lower_bound(until_.begin() + 1, until_.end() - 1, sum);
   const auto half = static_cast<std::size_t>(until - until_.begin()) - 1;
   const Knot& knot = knots_[(half + 1) / 2];

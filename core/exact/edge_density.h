@@ -14,32 +14,32 @@
 
 namespace vorogeo {
 
-/// Waves have details of the size of what they came past, and past many narrow faces side by side these are
-/// no larger: how small features near each place of an edge are. Lengths along an edge are in its cost.
+/// How small the features near each place of an edge are: waves have details of the size of the features they
+/// passed, and many narrow faces side by side do not enlarge these. Lengths along an edge are in its cost.
 ///
-/// A feature is a vertex, as large as the distance from there to the nearest side opposite. Seen from
-/// elsewhere it is larger by the way there: over faces, straight to the nearest point of each next side. A
-/// side keeps it while that makes some difference there, so it goes far only over needles.
+/// A feature is a vertex, as large as the distance to its nearest opposite side. Seen from elsewhere, its
+/// size grows by the length of the path there: over faces, straight to the nearest point of each next side. A
+/// side keeps only features clearly smaller than those known there, so they go far only over needles.
 class FeatureSizes {
  public:
   struct Knot {
     double at;
     double size;
-    /// At another place.
+    /// The size of the feature as seen from another place of the edge.
     double size_at(double place) const { return size + std::abs(place - at); }
   };
 
   explicit FeatureSizes(const FaceNorms& norms);
 
-  /// Places of an edge at which features are known, its ends first; elsewhere they are larger than at a knot
-  /// by the way from there.
+  /// The places of an edge at which sizes of features are known, its ends first. Elsewhere, the size is the
+  /// least that a knot has there (Knot::size_at).
   void find_knots(Index edge, std::vector<Knot>& knots) const;
 
  private:
   struct Offer {
-    Index halfedge;  ///< of the edge, in the face it came over
+    Index halfedge;  ///< of the edge, in the face over which the feature was seen
     Knot knot;
-    /// Of equal sizes, each has its place, whatever the queue.
+    /// Breaks ties between equal sizes, so that the order does not depend on the queue.
     bool operator>(const Offer& other) const {
       return std::tie(knot.size, halfedge, knot.at) >
              std::tie(other.knot.size, other.halfedge, other.knot.at);
@@ -51,35 +51,35 @@ class FeatureSizes {
   };
 
   std::array<Knot, 2> knots_at_ends(Index edge) const;
-  /// Whether a knot would make no difference, or the edge has many, counting its ends and the apexes of its
-  /// faces.
+  /// Whether a knot would make no difference, or the edge has enough knots already, counting those of its
+  /// ends and of the apexes of its faces.
   bool is_known(Index edge, const Knot& knot);
   void spread(Index halfedge, const Knot& knot);
   void cross(Index halfedge, const Knot& knot);
 
   const FaceNorms& norms_;
   std::vector<double> size_at_;  ///< by vertex
-  std::vector<Index> first_;     ///< by edge: the first link of what came over other faces
+  std::vector<Index> first_;     ///< by edge: the first link of the knots that came over other faces
   std::vector<Link> links_;
   std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers_;
   std::vector<Knot> known_;
 };
 
-/// Points of an edge as dense as features there are small.
+/// The density of points along an edge: the smaller the features there, the denser.
 class EdgeDensity {
  public:
   using Knot = FeatureSizes::Knot;
 
-  /// At least the two ends of the edge.
+  /// \pre `knots` contains at least the two ends of the edge.
   void set(std::span<const Knot> knots);
   /// The integral of the density.
   double total() const { return until_.back(); }
-  /// Up to where a share of the total lies.
+  /// The place up to which the integral is this share of the total.
   double place(double share) const;
 
  private:
   std::vector<Knot> knots_;
-  std::vector<double> until_;  ///< up to each knot, and between them
+  std::vector<double> until_;  ///< the integral up to each knot, and up to a place between it and the next
 };
 
 }  // namespace vorogeo

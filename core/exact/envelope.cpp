@@ -14,20 +14,20 @@ namespace vorogeo {
 
 namespace {
 
-/// Relative: distances this close are the same. Each face that is crossed adds a unit in the last place.
-/// Windows wrongly taken for tied lose rays, and what only these see is reached by a detour.
+/// Relative difference up to which distances are the same. Each face that is crossed adds a unit in the last
+/// place. Windows wrongly taken for tied lose rays, and what only these rays see is reached by a detour.
 constexpr double tie = 2e-13;
-/// Of positions, relative to the greatest on the part of an edge that is divided, or on a long edge to that
-/// of the pseudo-source: some units in the last place, as a ray that turns about a vertex crosses several
-/// edges.
+/// Rounding of positions, relative to the greatest position on the part of an edge that is divided, or on a
+/// long edge to that of the pseudo-source: some units in the last place, as a ray that turns about a vertex
+/// crosses several edges.
 constexpr double position_rounding = 2e-15;
 /// Relative error of a distance at which a crossing is accepted.
 constexpr double sharp = 1e-14;
 /// Most steps towards a crossing; Newton's method takes three, bisection sixty.
 constexpr int max_steps = 80;
 
-/// By how much `fresh` is nearer than `old` at x, without the difference of two distances: at the far end of
-/// a long edge, these have lost the digits that tell what lies behind them.
+/// By how much `fresh` is nearer than `old` at x, computed without subtracting two distances: at the far end
+/// of a long edge, distances have lost the digits that tell what lies behind the edge.
 double gain_at(const Window& fresh, const Window& old, double x) {
   const double across = old.source_x - fresh.source_x;
   const double squares = across * (old.source_x + fresh.source_x - 2.0 * x) +
@@ -36,8 +36,8 @@ double gain_at(const Window& fresh, const Window& old, double x) {
   return old.offset - fresh.offset + (sum > 0.0 ? squares / sum : 0.0);
 }
 
-/// What the rounding of such a gain is relative to, where the old window has the distance `old_x`: not to the
-/// position.
+/// The scale of the rounding of such a gain, where the old window has the distance `old_x`; the rounding does
+/// not grow with the position.
 double gain_scale(const Window& fresh, const Window& old, double old_x) {
   const double of_sources = old.offset + std::abs(old.source_x) + old.source_y + fresh.offset +
                             std::abs(fresh.source_x) + fresh.source_y;
@@ -84,7 +84,8 @@ int crossings(const Window& a, const Window& b, double l, double r, std::array<d
 /// are far.
 template <bool is_long>
 double sign_change(const Window& fresh, const Window& old, double l, double r, bool fresh_at_l) {
-  // On a long edge, the crossing is next to its beginning or far away: halves of the bracket in that scale.
+  // On a long edge, the crossing is near its beginning or far away: the bracket is halved in a scale that
+  // fits both.
   const double scale = is_long ? gain_scale(fresh, old, unreachable) : 0.0;
   auto middle = [&] {
     return scale > 0.0 ? l + scale * (std::sqrt(1.0 + (r - l) / scale) - 1.0) : 0.5 * (l + r);
@@ -109,7 +110,7 @@ double sign_change(const Window& fresh, const Window& old, double l, double r, b
 
 /// Divides [l, r], which both windows cover. The new window gets a part only if it is shorter than the old
 /// one by more than rounding in its middle, at an end or next to a pseudo-source: equal windows would
-/// otherwise replace each other forever. `typical`: length of the mesh's edges.
+/// otherwise replace each other forever. `typical`: length of a typical edge.
 template <bool is_long>
 Division divide(const Window& fresh, const Window& old, double l, double r, double fresh_l, double fresh_r,
                 double rounding, double typical) {
@@ -121,9 +122,9 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
   // Beside a pseudo-source on the edge, distances are as small as the rounding of positions: rays that turn
   // about a vertex at the source would replace one another without end.
   const double of_positions = position_rounding * (is_long ? std::abs(old.source_x) : r);
-  // A window that bends earlier, or nowhere, is wider behind each edge than what bends beside its rays: kept
-  // in its place, that would leave open what only these rays see. Waves of segments have offsets far beyond
-  // their distances, and these round as offsets do.
+  // The window whose paths bend earlier, or nowhere, is wider behind each edge than one that bends beside its
+  // rays: if the latter kept its place, nothing would cover what only these rays see. Windows of segments
+  // have offsets far larger than their distances, which are rounded as the offsets are.
   const bool is_sharp = fresh.offset < old.offset;
   auto tie_at = [&](double at_old) {
     const double scale = is_long ? gain_scale(fresh, old, at_old) : at_old;
@@ -151,12 +152,12 @@ Division divide(const Window& fresh, const Window& old, double l, double r, doub
   const Window& loser = division.new_first ? old : fresh;
   const double bound = division.new_first ? std::max(fresh_l, fresh_r) : std::max(old_l, old_r);
   if (!is_tied && loser.distance(std::clamp(loser.source_x, l, r)) >= bound * (1.0 - tie)) return division;
-  // Zeros at the ends are found on either side of them, or not at all, and others by chance where both
-  // pseudo-sources lie on the edge or far away. So they only tell where to look: at the ends, in the middle
-  // of each part, and next to the pseudo-sources, as windows that tie far from these may differ by most of
-  // the distance there. Except at the ends, a difference must exceed the rounding of a typical edge, as both
-  // windows have crossed others. Between two places with different owners there is a cut; places without a
-  // difference belong to either.
+  // Zeros near the ends may be found on either side of them, or not at all, and other zeros by chance where
+  // both pseudo-sources lie on the edge or far away. So zeros only tell where to look: at the ends, in the
+  // middle of each part, and next to the pseudo-sources, as windows that tie far from a pseudo-source may
+  // differ by most of the distance beside it. Except at the ends, a difference must exceed the rounding of a
+  // typical edge, as both windows have crossed other edges. Between two places with different owners there is
+  // a cut; places without a difference belong to either.
   std::array<double, 2> x{};
   const int zeros = crossings(fresh, old, l, r, x);
   std::array<double, 9> places{};
@@ -288,10 +289,10 @@ void WindowEnvelope::divide_among(Window window, double at_begin, double at_end)
     const double fresh_r = r == window.end ? at_end : window.distance(r);
     Division division = is_long ? divide<true>(window, old, l, r, fresh_l, fresh_r, rounding_, typical_)
                                 : divide<false>(window, old, l, r, fresh_l, fresh_r, rounding_, typical_);
-    // An old window as long as the new one gives way to a wider piece beside it. Kept, it would cut the new
-    // one in two; behind the next edge, its rays arrive elsewhere by rounding, leave a gap here and cut the
-    // new one there: with each face, the windows would double. This ends: whatever is replaced, its place
-    // then belongs to a window at least twice as wide.
+    // An old window tied with the new one gives way to a wider piece of the new one beside it. Otherwise it
+    // would cut the new one in two; behind the next edge, rounding shifts its rays, which leave a gap in one
+    // place and cut the new window in another: the number of windows would double with each face. This ends:
+    // whatever is replaced, its place then belongs to a window at least twice as wide.
     if (division.is_tie && open && old.end <= window.end && l - piece > old.end - old.begin) {
       division.new_first = true;
     }
@@ -349,13 +350,13 @@ namespace {
 /// Pools from this size on ask for memory before they grow.
 constexpr std::size_t large_pool = std::size_t{1} << 25;
 
-/// Lists of this size class and above are long: shorter ones are done when they have hardly begun.
+/// Lists of this size class and above are long; shorter ones are done soon after they begin.
 constexpr int least_long = 5;
-/// Before the pool grows, long lists are looked through once as many windows have been made as were left of
-/// them the last time, and no fewer than these.
+/// Before the pool grows, long lists are searched for passed windows once as many windows have been made as
+/// were left in them the last time, and at least this many.
 constexpr std::size_t least_made = std::size_t{1} << 12;
 
-/// Offset of what stands for the windows of a part of an edge that the front has passed: nothing is nearer.
+/// Offset of a window that stands for those that the front has passed: nothing is nearer.
 constexpr double passed = -unreachable;
 
 }  // namespace
@@ -368,7 +369,8 @@ double WindowEnvelope::store() {
     if (!fits(list, room)) {
       if (list.size_class >= least_long) {
         let_go_behind_front(list, kept_, rest_);
-        // As many are to come as were looked at, before all are looked at again.
+        // A block stays if it is at most half full: then as many windows must come as were searched now
+        // before all are searched again.
         if (size() <= std::size_t{1} << (list.size_class - 1)) room = size();
       }
       if (made_ >= next_collection_ && !fits(list, room) &&
@@ -407,7 +409,7 @@ void WindowEnvelope::let_go_behind_front(List& list, std::uint32_t& kept, std::u
         new_end = place + 1;
       } else if (const double at_begin = window.distance(window.begin);
                  std::max(at_begin, window.distance(window.end)) * (1.0 + tie) < front_) {
-        // What lies between two of them can be reached along the edge.
+        // A gap between two passed windows is passed, too, if it can be reached along the edge.
         Window* const last = place > begin ? &list.first[place - 1] : nullptr;
         if (last != nullptr && last->offset == passed && window.offset != passed &&
             (at_begin + (window.begin - last->end)) * (1.0 + tie) < front_) {

@@ -46,10 +46,10 @@ struct Window {
   double least_distance() const { return distance(std::clamp(source_x, begin, end)); }
 };
 
-/// Where a vertex at distance `from_vertex` overtakes a window: x with from_vertex + x = window.distance(x),
-/// up to which the vertex is nearer; infinity if it is everywhere. Positions count from that vertex. Found
-/// from the pseudo-source alone: far along the edge both distances have the same digits, yet behind the edge
-/// the window may see all that the vertex leaves in shadow.
+/// The position x up to which a vertex at distance `from_vertex` is nearer than a window, from_vertex + x =
+/// window.distance(x); infinity if it is nearer everywhere. Positions count from that vertex. Computed from
+/// the pseudo-source alone: far along the edge both distances have the same digits, yet behind the edge the
+/// window may see all that the vertex leaves in shadow.
 inline double vertex_takeover(double from_vertex, double offset, double source_x, double source_y) {
   const double k = from_vertex - offset;
   const double ahead = k + source_x;
@@ -57,20 +57,21 @@ inline double vertex_takeover(double from_vertex, double offset, double source_x
   return (source_x * source_x + source_y * source_y - k * k) / (2.0 * ahead);
 }
 
-/// The angle at the source at which paths through a window begin, as the window carries it: the angle itself
-/// behind a pseudo-source. Where the source itself is seen, that of the direction at right angles to the
-/// edge, lifted above 0 and with the sign by which angles at the source grow along the edge.
+/// The angle at the source at which paths through a window begin, as the window carries it. Behind a
+/// pseudo-source it is the angle itself. Where the window sees the source itself, it is the angle of the
+/// direction at right angles to the edge, lifted above 0 and with the sign by which angles at the source grow
+/// along the edge.
 struct FirstLeg {
   static constexpr double lift = 16.0;
   static double seen(double across, double sign) { return sign * (across + lift); }
   static bool sees_source(const Window& window) { return window.offset == 0.0; }
-  /// Of the path to the place `along` the edge and `below` it.
+  /// The angle of the path to the point `along` the edge and `below` it.
   static double to(const Window& window, double along, double below) {
     if (!sees_source(window)) return window.first_leg;
     const double turned = std::atan2(along - window.source_x, window.source_y + below);
     return std::copysign(1.0, window.first_leg) * (window.first_leg + turned) - lift;
   }
-  /// Of a window that was handed on to a side of the face behind its edge, which makes this angle with it.
+  /// The value for a window handed on to a side of the face behind its edge; `angle`: between edge and side.
   static double handed_on(const Window& window, double angle, bool second, bool is_forth) {
     if (!sees_source(window)) return window.first_leg;
     return (is_forth ? 1.0 : -1.0) * (window.first_leg + (second ? angle : -angle));
@@ -82,23 +83,23 @@ struct FirstLeg {
 /// Lists of disjoint windows, one per edge, in the order of the edge, each contiguous in memory.
 ///
 /// Windows arrive in batches: open(edge), insert() for each, store(). While open, the list is split at the
-/// place of the last insertion: into two stacks of what a batch has come across, and what lies before and
-/// behind that, which stays in its place. So a sorted batch costs one pass over the windows it spans, and a
-/// small one in a list of thousands little more than moving those behind it. Clearing costs time for the
-/// edges touched only.
+/// place of the last insertion. The windows that the batch has come across are on two stacks, one on each
+/// side of the split; those before and behind them stay in place. So a sorted batch costs one pass over the
+/// windows it spans, and a small batch in a list of thousands little more than moving the windows behind it.
+/// Clearing costs time for the touched edges only.
 class WindowEnvelope {
  public:
-  /// `typical`: length of an edge, whose rounding windows on shorter edges carry, too.
+  /// `typical`: length of a typical edge; windows on shorter edges carry its rounding, too.
   void resize(std::size_t edges, double typical = 0.0) {
     lists_.assign(edges, {});
     typical_ = typical;
   }
 
-  /// Until the next store().
+  /// Valid until the next store().
   std::span<const Window> windows(Index edge) const { return {lists_[edge].first, lists_[edge].size}; }
   std::span<Window> windows(Index edge) { return {lists_[edge].first, lists_[edge].size}; }
 
-  /// Windows of an edge among which are all that have been inserted since take_new().
+  /// A range of the edge's windows that contains all those inserted since take_new().
   std::span<Window> new_windows(Index edge) {
     const List& list = lists_[edge];
     return {list.first + list.new_begin, list.new_end - list.new_begin};
@@ -108,11 +109,11 @@ class WindowEnvelope {
     list.new_begin = list.new_end = 0;
     if (list.takes < std::numeric_limits<std::uint16_t>::max()) ++list.takes;
   }
-  /// How often that was since clear(), up to 65535.
+  /// Number of calls of take_new() since clear(), at most 65535.
   int takes(Index edge) const { return lists_[edge].takes; }
 
-  /// Overlaps that are regarded as rounding of a shared end and not compared: those up to `at_begin` (a
-  /// length) where the edge begins, growing with the position and the distance there up to `greatest`.
+  /// Overlaps up to this length are regarded as rounding of a shared end and not compared: `at_begin` where
+  /// the edge begins, growing with the position and the distance there up to `greatest`.
   struct Sliver {
     double at_begin;
     double greatest;
@@ -121,7 +122,7 @@ class WindowEnvelope {
       return slope == 0.0 ? greatest : std::min(greatest, at_begin + slope * (x + distance));
     }
   };
-  /// `rounding`: how many times as much as elsewhere two windows may differ and be equal, no less than 1.
+  /// `rounding`: factor, at least 1, by which equal windows may differ more than on other edges.
   void open(Index edge, const Sliver& sliver, double rounding = 1.0);
   void open(Index edge, double sliver) { open(edge, {sliver, sliver, 0.0}); }
   double rounding() const { return rounding_; }
@@ -145,10 +146,10 @@ class WindowEnvelope {
   /// Closes the open edge. Returns the least distance of the parts inserted, infinity if there are none.
   double store();
 
-  /// From now on no window can be shorter where the distance is less than `front`, and nobody asks for the
-  /// windows there: of long lists, they may be dropped.
+  /// From now on, no window can be shorter where the distance is less than `front`, and the windows there are
+  /// not read again: those of long lists may be dropped.
   void pass(double front) { front_ = front; }
-  /// Drops the windows of an edge on which no later window can be shorter; the edge accepts no more.
+  /// Drops the windows of an edge on which no later window can be shorter; the edge accepts no more windows.
   void retire(Index edge);
   bool is_retired(Index edge) const { return lists_[edge].retired; }
 
@@ -208,7 +209,7 @@ class WindowEnvelope {
   void insert_among(Window window, double at_begin, double at_end);
   void divide_among(Window window, double at_begin, double at_end);
   void add_piece(const Window& window, double begin, double end);
-  /// A part of the new window behind `before_`. `least`: its least distance.
+  /// Appends a part of the new window to `before_`; `least` is its least distance.
   void add_fresh(const Window& window, double begin, double end, double least) {
     changed_ = true;
     ++made_;
@@ -236,7 +237,7 @@ class WindowEnvelope {
       after_.pop();
     }
   }
-  /// Whether all windows are in their places, as long as nothing was inserted.
+  /// Whether all windows are still in their places and none was inserted.
   bool is_untouched() const { return before_.empty() && after_.empty() && kept_ == rest_; }
   /// Move the split by one window.
   void step_right() {
@@ -265,9 +266,9 @@ class WindowEnvelope {
   static bool fits(const List& list, std::size_t size) {
     return list.size_class != 0 && size <= std::size_t{1} << list.size_class;
   }
-  /// Of the windows before `kept` and from `rest` on, one is left where the front has passed neighbours.
+  /// Of the windows before `kept` and from `rest` on, one replaces neighbours that the front has passed.
   void let_go_behind_front(List& list, std::uint32_t& kept, std::uint32_t rest);
-  /// The same for all long lists, whose blocks become as small as they can.
+  /// The same for all long lists, which then move to the smallest blocks that hold them.
   void collect();
   void take_room(List& list, std::size_t size);
 
@@ -276,18 +277,18 @@ class WindowEnvelope {
   double typical_ = 0.0;
   std::vector<Index> touched_;
   std::vector<Index> long_;          ///< edges of long lists, and some whose list is not long any more
-  std::size_t next_collection_ = 0;  ///< made_ from which on long lists may be looked through
+  std::size_t next_collection_ = 0;  ///< the value of made_ from which on collect() may run again
   Index open_ = no_index;
   bool changed_ = false;
   Sliver sliver_{};
   double rounding_ = 1.0;  ///< of the open edge
   double least_ = unreachable;
   const Window* stored_ = nullptr;    ///< windows of the open edge in their places
-  std::uint32_t stored_count_ = 0;    ///< before it was opened
+  std::uint32_t stored_count_ = 0;    ///< number of these before the edge was opened
   std::uint32_t kept_ = 0;            ///< windows of the open edge that stay in place at its beginning
   std::uint32_t rest_ = 0;            ///< the first of those that stay in place at its end
   Stack before_;                      ///< windows between these up to the last insertion, in order
-  Stack after_;                       ///< those behind it, last first
+  Stack after_;                       ///< windows behind the last insertion, last first
   double left_end_ = -unreachable;    ///< where the last window before the split ends
   double right_begin_ = unreachable;  ///< where the first one behind it begins
   std::size_t made_ = 0;

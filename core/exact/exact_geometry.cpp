@@ -45,8 +45,8 @@ FaceFrame frame_of(const ExactGeometry& geometry, Index halfedge) {
   const Point& r = corners[(tail + 2) % 3];
   const bool nearer_first = mesh.edge_length(first_edge) <= mesh.edge_length(second_edge);
   const Point side = minus(r, nearer_first ? p : q);
-  // Of unit length to the last digit, which the edge's own length does not give where the sides of a face
-  // without width contradict each other: a long side beside a short one would be carried off its end.
+  // The unit vector has length 1 to the last digit. The edge's own length would not give that where the sides
+  // of a face without width contradict each other: a long side beside a short edge would miss its end.
   Point along = minus(q, p);
   const double laid_length = length_of(along);
   for (double& part : along) part /= laid_length > 0.0 ? laid_length : length;
@@ -130,11 +130,11 @@ void ExactGeometry::find_long_edges() {
     for (Index v : mesh->edge_vertices(e)) shortest[v] = std::min(shortest[v], length);
   }
   const double typical = mesh->typical_edge_length();
-  // Vertices far out may be close to each other, too: positions count from the end at which most of the mesh
-  // is, and on all edges between two pieces from the same side, or windows would come back changed by
-  // rounding.
+  // Outliers may be close to each other, too, so short edges do not tell where the mesh is: positions count
+  // from the end at which most of the mesh is, and on all edges between two pieces from the same side, or
+  // windows would come back changed by rounding.
   const Outliers outliers = find_outliers(*mesh);
-  // Of pieces of the same size, as where a tiny part makes every other edge a long one: the finer one.
+  // Between pieces of the same size, as where a tiny part makes every other edge long, from the finer one.
   std::vector<double> finest(outliers.piece.size(), unreachable);
   for (Index v = 0; v < static_cast<Index>(outliers.piece.size()); ++v) {
     finest[outliers.piece[v]] = std::min(finest[outliers.piece[v]], shortest[v]);
@@ -170,7 +170,7 @@ FacePlane::FacePlane(const ExactGeometry& geometry, Index face) {
   corner[0] = {along ? 0.0 : -length, 0.0};
   corner[1] = {along ? length : 0.0, 0.0};
   corner[2] = {along ? frame.apex_x : -frame.apex_x, frame.apex_depth};
-  // Two corners at one place: the third is as far from both, in any direction.
+  // Where two corners coincide, the third is equally far from both, in any direction.
   if (!(length > 0.0)) corner[2] = {mesh.edge_length(mesh.edge_of(3 * face + 1)), 0.0};
 }
 

@@ -19,7 +19,7 @@ struct FaceFrame {
   double apex_depth;  ///< below the edge, >= 0
   Index apex;
   bool along;                 ///< whether the half-edge leaves the edge's first vertex
-  bool first_side_reversed;   ///< positions on that edge count from the apex
+  bool first_side_reversed;   ///< positions on the first side count from the apex
   bool second_side_reversed;  ///< likewise
 
   /// Half-edge between the first vertex of the edge and the apex, in the face of this frame's half-edge.
@@ -39,8 +39,8 @@ struct ExactGeometry {
 
   std::shared_ptr<const Mesh> mesh;
   std::vector<FaceFrame> frame;  ///< by half-edge
-  /// Edges on which positions count from the mesh's second vertex, as the first one is an outlier or far away
-  /// from small edges: near the second, no digits would be left for those. Empty if no edge is long.
+  /// Edges on which positions count from the mesh's second vertex, as the first one is an outlier or far from
+  /// small edges at the second, where positions would have no digits left. Empty if no edge is long.
   std::vector<std::uint8_t> turned;
   /// The length of small edges at the beginning of a long edge, 0 for other edges. Empty if no edge is long.
   std::vector<double> fineness;
@@ -50,12 +50,12 @@ struct ExactGeometry {
     return is_turned(edge) ? std::array{b, a} : std::array{a, b};
   }
   bool is_turned(Index edge) const { return !turned.empty() && turned[edge] != 0; }
-  /// Edges this many typical ones long, or longer than an edge at their ends by the larger factor, have
-  /// positions of very different precision.
+  /// Edges longer than `long_edge` typical ones, or than `long_beside_small` times an edge at their ends,
+  /// have positions of very different precision.
   static constexpr double long_edge = 1e3;
   static constexpr double long_beside_small = 1e6;
-  /// What the rounding of a position `x` on an edge is relative to, for distances of about `distance` there:
-  /// its length, or less near the beginning of a long edge.
+  /// The scale of the rounding of a position `x` on an edge where distances are about `distance`: the edge's
+  /// length, or less near the beginning of a long edge.
   double scale_at(Index edge, double x, double distance, double length) const {
     if (!is_long(edge)) return length;
     return std::min(length, fineness[edge] + std::abs(x) + distance);
@@ -65,9 +65,9 @@ struct ExactGeometry {
   /// rounding of positions there.
   static constexpr double next_to_nothing = 1e-7;
   /// Whether a shortest path may bend at a vertex: total angle at least 2 pi, on a border of the mesh, or
-  /// non-manifold. `anywhere` at vertices with an edge of negligible length next to their longest one:
-  /// positions on the edges around do not tell on which side of them a path passes, so they send out windows
-  /// in all directions.
+  /// non-manifold. `anywhere`: at vertices with an edge of negligible length next to their longest one,
+  /// positions on the edges around do not tell on which side of the vertex a path passes, so these vertices
+  /// send out windows in all directions.
   enum Bend : std::uint8_t { never, by_angle, anywhere };
   std::vector<Bend> can_bend;
   /// By vertex: where paths bend by angle but the surface is flat up to rounding, or its border straight, the

@@ -49,7 +49,7 @@ class ExactLandmarks {
   static constexpr double rounding = 0x1p-21;
 
   int count_;
-  std::vector<float> distance_;  ///< of vertex v from landmark i: [v * count + i]; 0 where there is none
+  std::vector<float> distance_;  ///< of vertex v from landmark i: [v * count + i]; 0 in other components
 };
 
 }  // namespace vorogeo

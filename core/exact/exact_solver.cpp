@@ -109,22 +109,22 @@ void ExactSolver::State::take(Index item, double front) {
 
 namespace {
 
-/// An edge that was taken more often than this, and than the front needs to pass along it, has a greater
-/// rounding, twice as great for each so many takes more. Most edges of scans are taken three times, among
+/// An edge taken more often than this, and than the front needs to pass along it, has a greater rounding,
+/// doubled after each `takes_to_double` further takes. Most edges of scans are taken three times, among
 /// needles some hundreds of times. A ray that winds round a tube no wider than rounding comes back more often
-/// than could be waited for, each time a little nearer than what is there, or where nothing is, though a
-/// shortest path crosses an edge once.
+/// than one could wait for, each time a little nearer than the windows there, or where there is none, though
+/// a shortest path crosses an edge once.
 constexpr int usual_takes = 1 << 10;
 constexpr double takes_to_double = 1 << 6;
 constexpr double most_buckets = 1 << 12;
-/// At most, distances keep five digits there, and windows narrower than 1e-4 of the edge are left out.
+/// Even at this rounding, distances keep five digits; windows narrower than 1e-4 of the edge are left out.
 constexpr double most_doublings = 24.0;
 
 }  // namespace
 
 double ExactSolver::State::rounding_of(Index edge) const {
   if (envelope.takes(edge) <= usual_takes) return 1.0;
-  // While the front passes along a long edge, that may be taken once for each bucket.
+  // While the front passes along a long edge, the edge may be taken once for each bucket.
   const double buckets = std::min(mesh.edge_length(edge) / queue.width(), most_buckets);
   const double more = envelope.takes(edge) - usual_takes - buckets;
   return std::exp2(std::clamp(std::floor(more / takes_to_double), 0.0, most_doublings));
@@ -149,7 +149,7 @@ void ExactSolver::State::announce(Index vertex) {
   if (owner == number) {
     queue.push(vertex, state.distance);
   } else if (distances_only) {
-    // Its owner sends it back only if it knows a shorter way.
+    // The owner sends the vertex back only if it knows a shorter path.
     close_edges_at(vertex);
   }
   for (std::size_t i = 0; i < outbox.size(); ++i) {

@@ -45,7 +45,7 @@ struct EdgePoint {
 struct SourceSegment {
   Index face;
   std::array<double, 3> from, to;
-  Index source;  ///< the number that its points have
+  Index source;  ///< what nearest_source() returns for its points
 };
 
 /// What a propagation need not compute, and how closely.
@@ -79,19 +79,19 @@ struct ExactLimits {
   /// With distances_only and none of targets, a corridor and face_allowed: this many threads share the run
   /// (see threads_for_field). Distances are equal up to rounding, and to the last bit for the same number.
   int threads = 1;
-  /// If set: first_leg() will be read; the frame is that of the only source, whose offset is 0, and outlives
-  /// what is read of the run. Not with a merge_tolerance, whose windows have no angle at the source.
+  /// If set: first_leg() will be read. The frame is that of the only source, whose offset is 0, and must
+  /// outlive all reads of the run. Not with a merge_tolerance, as merged windows have no angle at the source.
   const TangentFrame* directions = nullptr;
-  /// Sources besides those of the list, which has the ends of all. Those on an edge are given in each of its
-  /// faces. Distances are never too short, and at most 1.3e-6 of a typical edge too long; only those of
-  /// vertices are then meant to be read. Not with directions.
+  /// Sources besides those of the list, which must contain the ends of all segments. A segment on an edge is
+  /// given in each of its faces. Distances are never too short, and at most 1.3e-6 of a typical edge too
+  /// long; only those of vertices are then meant to be read. Not with directions.
   std::span<const SourceSegment> segments{};
   /// If set: receives the fraction of vertices reached, from the calling thread; may cancel the run.
   /// Otherwise the run has checkpoints.
   const Progress* progress = nullptr;
 };
 
-/// Reports to the progress of the limits, or is a checkpoint. \throw Cancelled.
+/// Reports to the progress of the limits; without one, it is a checkpoint. \throw Cancelled.
 void report_run(const ExactLimits& limits, double fraction, const char* activity);
 
 /// Exact solver on one mesh. Keeps its memory between runs; one object belongs to one thread.
@@ -127,10 +127,10 @@ class ExactSolver {
   double distance(const EdgePoint& point) const;
   /// Which source (index into the list given to run) a vertex belongs to; no_index if unreachable.
   Index nearest_source(Index vertex) const;
-  /// And a point of an edge, as distance() of it.
+  /// The same for a point of an edge; complexity and errors are those of distance().
   Index nearest_source(const EdgePoint& point) const;
   /// The angle around the source, in the frame that the run was given, at which the shortest path to a vertex
-  /// or point begins; NaN if unreachable. \throw std::logic_error as distance() of it.
+  /// or point begins; NaN if unreachable. \throw std::logic_error where distance() does.
   double first_leg(Index vertex) const;
   double first_leg(const SurfacePoint& point) const;
   /// The angle, in the frame of a point, at which the shortest path from it to its nearest source begins; NaN
@@ -165,8 +165,8 @@ class ExactSolver {
   std::unique_ptr<SharedRun> shared_;
 };
 
-/// How many threads should share a field on this mesh: `requested` ones (0: one per core), or one where they
-/// would wait for each other longer than they work, and where the metric jumps.
+/// How many threads should share a field on this mesh: `requested` ones (0: one per core), or one on small
+/// meshes, where threads would wait for each other longer than they work, and where the metric jumps.
 int threads_for_field(const Mesh& mesh, int requested);
 
 /// Exact distances from the sources to all vertices, on one thread. Shape (n).

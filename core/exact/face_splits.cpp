@@ -25,7 +25,7 @@ class Triangulation {
   double twice_area(Index a, Index b, Index c) const {
     return cross_in_plane(minus_in_plane(points_[b], points_[a]), minus_in_plane(points_[c], points_[a]));
   }
-  /// Of the least of the triangles that a point makes with the sides of one.
+  /// Twice the least area of the triangles that a point makes with the sides of a triangle.
   double depth(const std::array<Index, 3>& triangle, Index point) const {
     const auto& [a, b, c] = triangle;
     return std::min({twice_area(a, b, point), twice_area(b, c, point), twice_area(c, a, point)});
@@ -38,7 +38,7 @@ class Triangulation {
            dot_in_plane(w, w) * cross_in_plane(u, v);
   }
 
-  /// Whatever rounding says of where the point is, it makes three triangles of one.
+  /// Wherever rounding places the point, it divides one triangle into three.
   void add(Index point) {
     const auto around = std::ranges::max_element(
         triangles_, {}, [&](const std::array<Index, 3>& triangle) { return depth(triangle, point); });
@@ -54,7 +54,7 @@ class Triangulation {
     }
   }
 
-  /// The side that a new point has before it, if the point behind that should see the new one.
+  /// Flips the side opposite a new point, if the circle of side and point contains the point behind the side.
   void turn(Index point, Index from, Index to, std::vector<std::array<Index, 2>>& sides) {
     std::array<Index, 3>*own = nullptr, *beside = nullptr;
     Index behind = no_index;
@@ -142,7 +142,7 @@ SplitAtSources::SplitAtSources(const ExactGeometry& geometry, std::span<const Ex
   }
 }
 
-/// \pre It is a vertex, or on a side of its face, or that is not split.
+/// \pre The point is a vertex or on a side of its face, or the face is not split.
 SurfacePoint SplitAtSources::point_in_parts(const SurfacePoint& point) const {
   if (point.is_vertex()) return point;
   const auto [first, end] = parts_of_[point.face];

@@ -15,12 +15,12 @@ namespace vorogeo {
 /// where it lies within a single face.
 class SplitAtSources {
  public:
-  /// Splits the faces that have the sources `inside`, given by their numbers, at these.
+  /// Splits faces at the sources inside them; `inside`: the numbers of these sources.
   SplitAtSources(const ExactGeometry& geometry, std::span<const ExactSource> sources,
                  std::span<const Index> inside);
 
   const std::shared_ptr<const Mesh>& mesh() const { return mesh_; }
-  /// All of them, as points of mesh().
+  /// All sources, as points of mesh().
   const std::vector<ExactSource>& sources() const { return sources_; }
   /// A point of mesh() as one of the surface that was split.
   SurfacePoint given_point(const SurfacePoint& point) const;
@@ -34,14 +34,14 @@ class SplitAtSources {
   const Mesh& given_;
   std::shared_ptr<const Mesh> mesh_;
   std::vector<ExactSource> sources_;
-  std::vector<SurfacePoint> added_;             ///< by vertex behind those given
+  std::vector<SurfacePoint> added_;             ///< by vertex, from the first added one on
   std::vector<Index> given_face_;               ///< by face
-  std::vector<std::array<Index, 2>> parts_of_;  ///< by face given: its parts, from one face to before another
+  std::vector<std::array<Index, 2>> parts_of_;  ///< by given face: first part, and the one behind the last
 };
 
 /// The Delaunay triangulation of points in a triangle, whose corners are the points 0, 1 and 2, with the
-/// others behind them; all counter-clockwise if the corners are, and its sides are not divided. Complexity:
-/// O(n^2).
+/// others behind them. Triangles are counter-clockwise if the corners are; the sides of the triangle are not
+/// divided. Complexity: O(n^2).
 std::vector<std::array<Index, 3>> triangulated(std::span<const std::array<double, 2>> points);
 
 }  // namespace vorogeo

@@ -18,8 +18,8 @@ namespace vorogeo {
 
 // ---- Distances and paths by propagation over a surface, whatever its metric
 
-/// What all solvers of a surface share: the faces beside their edges, by lengths or each in a norm of its
-/// own.
+/// What all solvers of a surface share: the faces unfolded beside their edges, by the lengths of these or
+/// each in a norm of its own.
 struct LocalGeometry {
   /// \throw InvalidInput for lengths outside `exact_lengths`.
   explicit LocalGeometry(std::shared_ptr<const Mesh> mesh);
@@ -32,7 +32,7 @@ struct LocalGeometry {
 };
 
 /// The solver for the metric of a surface: windows, which are exact, or points on edges in components where
-/// the metric jumps. What tables, near fields, near pairs and exact paths use, so that these need not know
+/// the metric jumps. Tables, near fields, near pairs and exact paths use it, so that they need not know
 /// which. One object belongs to one thread.
 class LocalSolver {
  public:
@@ -113,7 +113,7 @@ class LocalSolver {
 
 /// A run from one vertex that was stopped after some time.
 struct FieldTiming {
-  double seconds = 0.0;     ///< of the processor that it took
+  double seconds = 0.0;     ///< processor time that it took
   double reached = 0.0;     ///< part of the component's vertices that it reached
   bool is_complete = true;  ///< nothing was left to do
 

@@ -89,7 +89,7 @@ BackStep best_back_step(const ExactSolver::State& state, Index face, const std::
       if (avoided.contains(h, at, same_place * scale)) continue;
       best = {.distance = distance, .halfedge = h, .x = at};
       if (state.directions == nullptr) continue;
-      // Beside the window, as in the shadow of a vertex where that ends, the path turns at its end.
+      // To a point beside the window, as in the shadow of a vertex at its end, the path turns at that end.
       best.first_leg = at == straight ? FirstLeg::to(window, x, depth) : FirstLeg::to(window, at, 0.0);
     }
   }
@@ -131,7 +131,7 @@ ExactSolver::State::Reached ExactSolver::State::reached_on_edge(const EdgePoint&
 
 namespace {
 
-/// Of a point in a face, within the greatest distance of the run; otherwise a step from nowhere.
+/// The last step of a path to a point; beyond the greatest distance of the run, a step from nowhere.
 BackStep last_step(const ExactSolver::State& state, const SurfacePoint& target) {
   state.require_windows();
   BackStep best;
@@ -213,8 +213,8 @@ class Tracer {
 
   /// The path; without points if there is none within the bound.
   SurfacePath trace() {
-    // A round passes a vertex or a place on an edge, or goes back by one stop. Few edges are crossed twice;
-    // one that rounding shifts each time would be crossed without end.
+    // A round passes a vertex or a place on an edge, or goes back by one stop. Few edges are crossed twice; a
+    // crossing that rounding shifts each time would be repeated without end.
     const std::size_t most_rounds = 2 * (static_cast<std::size_t>(mesh_.vertex_count()) + mesh_.edge_count());
     for (std::size_t round = 1; !has_arrived(); ++round) {
       if (round % 256 == 0) checkpoint();

@@ -14,8 +14,8 @@ constexpr double growth = 1.5;
 /// The reach is larger than the distance of the target by this factor, as the next one may be farther away.
 constexpr double reach_slack = 1.25;
 
-/// Of all faces, each way. Where the metric jumps, the edges of a dear face are only as long as in its
-/// neighbours.
+/// The longest side of all faces, each way. Where the metric jumps, the edges of a dear face are only as long
+/// as in its neighbours.
 double longest_side(const Mesh& mesh) {
   if (!mesh.metric_jumps()) return mesh.longest_edge_length();
   double longest = 0.0;

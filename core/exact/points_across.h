@@ -18,13 +18,13 @@ struct PointAcross {
   Index point;
   FaceNorms::Place place;
   FaceNorms::Place direction;  ///< of its side
-  double dearer;               ///< as of RayAtEdge
+  double dearer;               ///< see RayAtEdge
   double shift;                ///< likewise
   double drift;                ///< from the first vertex of the side that is crossed
 };
 
 /// A face crossed from one of its sides: the points of the other two sides, numbered from the first vertex of
-/// the side to the apex and on to its second vertex, as rays that do not cross meet them.
+/// the side to the apex and on to its second vertex, in the order in which rays that do not cross meet them.
 template <bool one_way>
 class PointsAcross {
  public:
@@ -35,13 +35,13 @@ class PointsAcross {
     bool from_apex = false;
     double x = 0.0;                ///< of its vertex on the side that is crossed
     FaceNorms::Place step{};       ///< from there to the apex
-    FaceNorms::Place direction{};  ///< that, of length 1
+    FaceNorms::Place direction{};  ///< along its edge, of length 1
     double dearer = 1.0;
     double shift = 0.0;
     double drift = 0.0;       ///< to its vertex on the side that is crossed
     double drift_step = 0.0;  ///< from there to the apex
 
-    /// Between the numbers of points from the side that is crossed on.
+    /// A place on this side as a number between those of its points, counted from the side that is crossed.
     double number_at(double part) const {
       const double at = from_apex ? 1.0 - part : part;
       const auto next = std::ranges::upper_bound(fractions, at);
@@ -83,7 +83,7 @@ class PointsAcross {
   }
 
   Index count() const { return side_[0].pieces + side_[1].pieces - 1; }
-  /// 1 to count().
+  /// The point with a number from 1 to count().
   PointAcross at(Index number) const {
     const Index before = side_[0].pieces;
     if (number == before) return {apex_point_, apex_, {1.0, 0.0}, 1.0, 0.0, apex_drift_};
@@ -119,7 +119,7 @@ class PointsAcross {
     }
     if (apex_[0] >= low && apex_[0] <= high) visit(side_[0].pieces);
   }
-  /// Where a ray from a source through a point of the side meets the other two, between their numbers.
+  /// Where a ray from a source through a point of the side meets the other two, as a number between points.
   double position(const FaceNorms::Place& source, double crossing) const {
     const double x = crossing - source[0];
     const double y = -source[1];

@@ -19,11 +19,11 @@ namespace vorogeo {
 
 namespace {
 
-/// Relative to the other sides of a face.
+/// An edge this short, relative to another side of its face, is rounding.
 constexpr double length_rounding = 1e-13;
 
-/// Where many faces without width and of different costs lie side by side, waves in each err by more than the
-/// next is away.
+/// Ratio of costs from which many faces without width side by side are a thin fan: waves in each err by more
+/// than the distance to the next.
 constexpr double different_cost = 1.01;
 /// The same for a few such faces, as at a T-junction.
 constexpr double very_different_cost = 10.0;
@@ -33,8 +33,8 @@ constexpr std::size_t small_fan = 8;
 /// The integral of the density along an edge that has as many points as asked for. It is .9 between
 /// equilateral faces, and 1.5 in the mean over scans.
 constexpr double usual_weight = 1.2;
-/// No edge has fewer points than this part of the usual ones, nor all in the mean more than so many times
-/// these.
+/// No edge has fewer points than the usual number divided by `per_fewest`, and edges have in the mean at most
+/// `most_in_mean` times the usual number.
 constexpr Index per_fewest = 2;
 constexpr double most_in_mean = 8.0;
 constexpr double most_points_of_all = 2e9;
@@ -185,8 +185,8 @@ namespace {
 
 constexpr int max_rounds = 30;
 
-/// Pieces may have no length, as across faces without width, and their lengths have a kink there. So at first
-/// all are taken for longer, by a height of this part of their mean length: the less, the nearer the end is.
+/// Pieces may have no length, as across faces without width, and their lengths have a kink there. So all are
+/// lengthened by a height of this part of their mean length, less and less.
 constexpr std::array smoothing{1e-2, 1e-4, 1e-7, 1e-11};
 constexpr double least_decrease = 1e-15;
 
@@ -305,21 +305,21 @@ double refract(std::span<const PathPiece> pieces, std::vector<double>& crossing)
   return length;
 }
 
-// ---- Waves at a point of an edge, and what of them is good beside it
+// ---- Waves at a point of an edge, and how far beside it they are good
 
 namespace {
 
 /// Relative: the cost of an edge is that of one of its faces up to rounding.
 constexpr double same_cost = 1e-9;
 
-/// Of its radius: how far beside its point a wave that has entered a dearer face is as of one source in the
-/// plane.
+/// How far beside its point, as a part of its radius, a wave that has entered a dearer face is that of one
+/// source in the plane.
 constexpr double wide = 0.1;
 
 constexpr int most_rounds = 12;
 constexpr double same_slope = 1e-5;
 
-/// Of a piece: what the parts of two waves that touch overlap by, so that no ray passes between them.
+/// By how much the parts of waves that touch overlap, relative to the piece: no ray passes between them.
 constexpr double overlap = 0.01;
 
 }  // namespace
@@ -363,8 +363,8 @@ FaceBeam::Local FaceBeam::local(double crossing) const {
   return {radius, radius > 0.0 ? (wave_.radius * wave_.slope + way) / radius : wave_.slope};
 }
 
-/// Newton's method for the least sum of the distance on the side and the way from there, which is convex;
-/// halves what is left where that is slow.
+/// Newton's method for the least sum of the distance on the side and the way from there, which is convex; the
+/// bracket is halved where that is slow.
 double FaceBeam::bent_crossing(double x, double y) const {
   const double slack = 1e-9 * (high_ - low_);
   double low = low_;

@@ -34,8 +34,8 @@ struct EdgeFrame {
   bool along = true;  ///< whether the half-edge leaves the edge's first vertex
 };
 
-/// The faces of a mesh laid into the plane, each by its own sides, on which the two faces of an edge may
-/// disagree; along an edge, the cheaper face counts.
+/// The faces of a mesh laid into the plane, each by its own sides. Two faces may disagree on the length of
+/// their edge; along it, the cheaper face counts.
 ///
 /// Each edge holds points, which are dense near small features.
 /// Points are numbered: first the vertices, then those of the edges, from the edge's first vertex on.
@@ -74,11 +74,11 @@ class FaceNorms {
   }
   /// Length of an edge in the cheapest of its faces.
   double edge_cost(Index edge) const { return mesh_->edge_length(edge); }
-  /// The cost of a step along an edge, by a part of it; below 0: towards its first vertex.
+  /// The cost of a step along a part of an edge; a negative part leads towards the edge's first vertex.
   double along(Index edge, double part) const {
     return std::abs(part) * edge_cost(edge) + part * mesh_->edge_drift(edge);
   }
-  /// By how much the drift of an edge differs from what it is in the face of a half-edge; see RayAtEdge.
+  /// By how much the drift of an edge in the face of a half-edge differs from the edge's own; see RayAtEdge.
   double shift(Index halfedge) const { return mesh_->has_drifts() ? one_way_shift(halfedge) : 0.0; }
   EdgeFrame frame(Index halfedge) const;
 
@@ -90,7 +90,7 @@ class FaceNorms {
   }
   bool is_vertex(Index point) const { return point < mesh_->vertex_count(); }
   Index edge_of(Index point) const { return edge_of_point_[point - mesh_->vertex_count()]; }
-  /// Its number along its edge, from 1.
+  /// The number of a point along its edge, from 1.
   Index along_edge(Index point) const { return point - first_point_[edge_of(point)] + 1; }
   /// Where a point is, from the edge's first vertex.
   double fraction(Index edge, Index i) const {
@@ -98,13 +98,13 @@ class FaceNorms {
     if (i > points_on(edge)) return 1.0;
     return fractions_of(edge)[i - 1];
   }
-  /// Of the points between the ends of an edge.
+  /// The fractions of the points between the ends of an edge.
   std::span<const float> fractions_of(Index edge) const {
     return std::span(fraction_).subspan(first_point_[edge] - mesh_->vertex_count(), points_on(edge));
   }
-  /// Of an edge, the part from a point to the next.
+  /// The part of an edge between the point `first` and the next one.
   double piece(Index edge, Index first) const { return fraction(edge, first + 1) - fraction(edge, first); }
-  /// The point at or before a part of an edge, of which there is one behind.
+  /// The last point at or before a place on an edge, never its second vertex: there is a point behind it.
   Index point_before(Index edge, double part) const {
     const auto parts = fractions_of(edge);
     return static_cast<Index>(std::ranges::upper_bound(parts, part) - parts.begin());
@@ -136,7 +136,7 @@ class FaceNorms {
   std::vector<Index> edge_of_point_;  ///< by point that is no vertex
   std::vector<float> fraction_;       ///< likewise
   double longest_piece_ = 0.0;
-  std::vector<std::uint8_t> in_thin_fan_;      ///< by face; empty if none does
+  std::vector<std::uint8_t> in_thin_fan_;      ///< by face; empty if no face does
   std::vector<std::array<double, 3>> layout_;  ///< length of the first side; corner 2, at height 0 if flat
 };
 
@@ -164,7 +164,7 @@ double refract(std::span<const PathPiece> pieces, std::vector<double>& crossing)
 
 // ---- Waves that reach a point of an edge, near it and in the faces behind it
 
-/// Waves of a radius of more than this many times the distance count as this flat.
+/// The radius of a wave is limited to this many times its distance.
 inline constexpr double flattest = 1e9;
 
 /// The cosine of the angle between a ray and an edge, in a face, and how many times as long the edge is there
@@ -172,15 +172,14 @@ inline constexpr double flattest = 1e9;
 struct RayAtEdge {
   double cosine = 0.0;
   double dearer = 1.0;
-  /// Where the drift of the edge is not that of the face: the difference, as a part of its length in the
-  /// face.
+  /// The drift of the edge in the face less that along the edge, as a part of the edge's length in the face.
   double shift = 0.0;
 
-  /// Of distances along the edge, less its drift, in units of its cost.
+  /// The slope of distances along the edge, less its drift, per unit of its cost.
   double slope() const { return (cosine + shift) * dearer; }
 };
 
-/// The radius of a wave after an edge into a dearer face, or (`into_face` false) as seen along the edge from
+/// The radius of a wave behind an edge, in a dearer face, or (`into_face` false) as seen along the edge from
 /// its cheapest face: on both sides distances along the edge have the same second derivative. `unreachable`
 /// for the plane waves behind edges that are run along.
 double refracted_radius(double radius, const RayAtEdge& ray, bool into_face);
@@ -189,11 +188,11 @@ double refracted_radius(double radius, const RayAtEdge& ray, bool into_face);
 /// in the plane of its cheapest face.
 struct EdgeWave {
   double distance = unreachable;
-  double slope = 0.0;   ///< along the edge, of its cost: -1 to 1
+  double slope = 0.0;   ///< along the edge, per unit of its cost: -1 to 1
   double radius = 0.0;  ///< distance of the source
   double drift = 0.0;   ///< of the edge, per unit of its cost
 
-  /// The distance in a point of the edge that is `shift` in cost from this one.
+  /// The distance at the point of the edge that is `shift`, in cost, from this one.
   double along(double shift) const {
     const double change = shift * shift + 2.0 * shift * radius * slope;
     const double sum = std::sqrt(std::max(0.0, radius * radius + change)) + radius;
@@ -207,20 +206,20 @@ struct WaveParts {
   double second_from = 0.0;
 };
 
-/// Between two points `cost` from each other. Waves that meet cross, and the shorter one is right. Beside the
-/// shadow of a vertex, the wave that does not bend would be too short: they touch where the shadow begins.
+/// For a piece of length `cost`. Waves that meet cross, and the shorter one is right. Beside the shadow of a
+/// vertex, the wave that does not bend would be too short: the waves touch where the shadow begins.
 WaveParts wave_parts(const EdgeWave& first, const EdgeWave& second, double cost);
 
 /// A wave in a face that it has entered through a part of a side, which lies on the x axis. Drifts inside the
-/// face are the caller's. In the cheapest face of the side it is as of one source in the plane; in a dearer
-/// one each ray has its own, so that rays bend by Snell's law.
+/// face are the caller's. In the side's cheapest face, it is the wave of one source in the plane; in a dearer
+/// face, each ray has a source of its own, so that rays bend by Snell's law.
 class FaceBeam {
  public:
-  /// `at`: of the wave's point on the side; `dearer`: how many times as long the side is in the face as in
-  /// its cheapest one, `shift` as of RayAtEdge; the part is from `low` to `high`.
+  /// `at`: position of the wave's point on the side; `dearer`: how many times as long the side is in the face
+  /// as in its cheapest one; `shift`: see RayAtEdge; the part is from `low` to `high`.
   FaceBeam(const EdgeWave& wave, double at, double dearer, double low, double high, double shift = 0.0);
 
-  /// Where the ray to a point at height `y` passes the side; outside of the part: none does.
+  /// Where the ray to a point at height `y` passes the side; outside the part if no ray reaches the point.
   double crossing(double x, double y) const {
     if (bends_) return bent_crossing(x, y);
     return y > y_ ? (x_ * y - x * y_) / (y - y_) : x;
@@ -233,14 +232,14 @@ class FaceBeam {
     const double sum = std::sqrt((x - x_) * (x - x_) + (y - y_) * (y - y_)) + radius_;
     return (sum > 0.0 ? wave_.distance + change / sum : wave_.distance) + drift;
   }
-  /// What is known at another place of the side, less the face's drift from the wave's point to there. Where
-  /// a wave would have to be nearer by more than `slack`, its curvature is not known so far from its point.
+  /// Sets a distance known at another place of the side, less the face's drift from the wave's point to
+  /// there. Where the wave is shorter by more than `slack` than that allows, its curvature is off.
   void keep_above(double place, double distance, double slack) {
     known_at_ = place;
     known_ = distance;
     slack_ = slack;
   }
-  /// The distance by a ray, or the least one that what is known allows where it passes the side.
+  /// The distance by a ray, or the least that the known distance allows where the ray passes the side.
   double kept_above(double distance, double crossing, double x, double y, double drift = 0.0) const {
     const double way = known_at_ - crossing;
     const double least = known_ - std::abs(way) / dearer_ + shift_ * way +
@@ -248,7 +247,7 @@ class FaceBeam {
     return distance < least - slack_ ? least : distance;
   }
   bool has(double crossing) const { return crossing >= low_ && crossing <= high_; }
-  /// Of the ray that passes the side there.
+  /// The source of the ray that passes the side there.
   FaceNorms::Place source(double crossing) const {
     return bends_ ? bent_source(crossing) : FaceNorms::Place{x_, y_};
   }

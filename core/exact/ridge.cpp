@@ -20,16 +20,15 @@ namespace vorogeo {
 
 namespace {
 
-/// Angles at a vertex that differ by less are one; and what its angles lack to a full turn, from which on a
-/// line begins there.
+/// The angle defect of a vertex from which on a line begins there.
 constexpr double same_direction = 1e-7;
 /// Distances that differ by less, relative to them, are equal.
 constexpr double equal_waves = 1e-10;
-/// Places this far off a line, relative to the greatest side of the face, are on it.
+/// Places up to this far off a line, relative to the longest side of the face, are on it.
 constexpr double on_curve = 1e-7;
-/// Lines that meet this close to where one of them ends, relative to the same, meet there.
+/// Lines that meet this close to an end of one of them, relative to the same side, meet at that end.
 constexpr double one_place = 1e-9;
-/// The least weight of a point where lines meet.
+/// The least weight of a junction: it lies inside its face.
 constexpr double inside_face = 1e-12;
 
 double angle_in_plane(const PlanePoint& a, const PlanePoint& b) {
@@ -46,8 +45,8 @@ struct PlaneWave {
   }
 };
 
-/// Where three waves are equal, by their circles: the differences of their equations are linear in the place
-/// and in the distance. One such place, two, or none, which are no numbers then.
+/// The places where three waves are equal: the differences of the equations of their circles are linear in
+/// the place and in the distance. There are up to two; missing ones are NaN.
 std::array<PlanePoint, 2> meetings_of(const std::array<PlaneWave, 3>& waves) {
   const PlanePoint u = minus_in_plane(waves[1].source, waves[0].source),
                    v = minus_in_plane(waves[2].source, waves[0].source);
@@ -72,24 +71,23 @@ std::array<PlanePoint, 2> meetings_of(const std::array<PlaneWave, 3>& waves) {
   return places;
 }
 
-// ---- The lines as a graph: all that lies between the areas of a wave tree,
-// without its dead ends
+// ---- The lines as a graph: all that lies between the areas of a wave tree, without its dead ends
 
 /// Where a line ends in a face: at a place on an edge, between two of its parts, or at a vertex.
 struct LineEnd {
   Index node;
   Index gap;             ///< behind this piece of the border of the face
-  bool is_dead = false;  ///< no line: one wave on both sides, which a vertex has parted
+  bool is_dead = false;  ///< no line: both sides are one wave, which a vertex has parted
 };
 
-/// Lines in one face that meet: two ends are those of one line.
+/// Ends of lines that meet in a face; two ends are those of one line.
 struct Meeting {
   Index face;
   std::vector<LineEnd> ends;  ///< in order round the face
 };
 
-/// Nodes are the numbers of parts, for the place where a part ends and the next one of its edge begins; and
-/// behind these, nodes at vertices.
+/// The number of a part is also the node at the place where this part ends and the next one of its edge
+/// begins; behind these numbers follow the nodes at vertices.
 class LineGraph {
  public:
   LineGraph(const ExactSolver::State& state, const WaveTree& tree)
@@ -182,7 +180,7 @@ class LineGraph {
   }
   bool is_own(Index sector) { return is_own_[sectors_.root(sector)] != 0; }
 
-  /// Sectors that others reach, side by side: the lines around them go on at the vertex.
+  /// Joins sectors side by side to which the vertex does not belong: lines around them go on at the vertex.
   void join_runs(Index face) {
     for_each_vertex_gap(face, [&](bool is_one, Index before, Index behind) {
       if (!is_one && !is_own(before) && !is_own(behind)) runs_.join(before, behind);
@@ -202,8 +200,8 @@ class LineGraph {
     if (vertex == no_index) return std::min(piece.part, next.part);
     const Index before = sector_at(face, piece, vertex), behind = sector_at(face, next, vertex);
     if (is_own(before) && is_own(behind)) {
-      // A line that ends here, as others do at the same vertex: paths go on between. Of a convex vertex, that
-      // paths pass on both sides, one stays.
+      // A line ends here; several may end at one vertex, as paths go on between them. At a convex vertex,
+      // which paths pass on both sides, one of them stays.
       const bool stays = !has_leaf_[vertex] && begins_line(vertex);
       if (stays) has_leaf_[vertex] = true;
       return add_node(vertex, stays);
@@ -234,8 +232,8 @@ class LineGraph {
     }
   }
 
-  /// Lines that end where neither a convex vertex nor the border of the mesh is: on their two sides are parts
-  /// of one wave, which a vertex has parted.
+  /// Removes lines that end neither at a convex vertex nor on the border of the mesh: on their two sides are
+  /// parts of one wave, which a vertex has parted.
   void prune() {
     const std::size_t count = node_count();
     std::vector<Index> begin(count + 1, 0);
@@ -256,7 +254,7 @@ class LineGraph {
     for (Index e = 0; e < mesh_.edge_count(); ++e) {
       if (!mesh_.is_border_edge(e)) continue;
       for (Index p = tree_.first_part(e); p < tree_.first_part(e + 1); ++p) is_kept[p] = true;
-      // Where at its end another wave has the vertex, the line between them comes to the border there.
+      // Where another wave reaches the vertex at its end, the line between the two comes to the border there.
       for (const Index sector : {2 * e, 2 * e + 1}) {
         if (const auto run = node_of_run_.find(runs_.root(sector)); run != node_of_run_.end())
           is_kept[run->second] = true;
@@ -307,7 +305,7 @@ class LineGraph {
   std::vector<Index> before_;
   DisjointSets sectors_, runs_{0};
   std::vector<std::uint8_t> is_own_;  ///< by root of a sector
-  std::vector<Index> corners_;        ///< that are pieces
+  std::vector<Index> corners_;        ///< the corners that are pieces of a border
   std::vector<bool> has_leaf_;        ///< by vertex
   std::vector<Index> vertex_of_;      ///< by node behind those of parts
   std::vector<Index> kept_;           ///< nodes where lines may end
@@ -345,8 +343,8 @@ class RidgeMaker {
   }
 
  private:
-  /// What is between two lines as one goes round a face: a wave, or several into which vertices have parted
-  /// it, each to the left of the line to the next.
+  /// What lies between two lines, going round a face: a wave, or the waves into which vertices have parted
+  /// it, each to the left of the parting from the next.
   struct Side {
     struct Parting {
       PlanePoint place, inwards;
@@ -392,7 +390,7 @@ class RidgeMaker {
     return number = add_point(point, std::min(part.distance(x), next.distance(x)),
                               angle_in_plane(part.direction(x, face), next.direction(x, face)));
   }
-  /// Of a part.
+  /// The edge of a part.
   Index edge_of(Index part) const {
     Index low = 0, high = mesh_.edge_count();
     while (high - low > 1) {
@@ -463,7 +461,7 @@ class RidgeMaker {
             part.offset};
   }
 
-  /// In order round the face, beginning with a line that lives.
+  /// The ends in order round the face, beginning with one that is not dead.
   std::vector<End> ends_of(const Meeting& meeting, const FacePlane& plane) {
     tree_.border_of(meeting.face, border_);
     std::vector<End> ends;
@@ -490,7 +488,7 @@ class RidgeMaker {
         ends.push_back({place, point_of(node), {{behind}, {}}});
         continue;
       }
-      // Parted along a ray, from where the waves on its two sides seem to come.
+      // A dead end parts the wave along a ray from the farther source of the waves on its two sides.
       Side& side = ends.back().behind;
       const auto part = [&](const PlaneWave& wave, const PlaneWave& farther) {
         PlanePoint ray = minus_in_plane(place, farther.source);
@@ -499,7 +497,7 @@ class RidgeMaker {
         side.partings.push_back({place, ray});
       };
       if (graph_.is_vertex(node) && before.source != place && behind.source != place) {
-        // At a corner, between them is its own wave, which need not come to the border again.
+        // At a corner, the corner's own wave lies between them, which need not come to the border again.
         part({place, state_.vertices[graph_.vertex(node)].distance}, before);
         part(behind, behind);
       } else {
@@ -526,8 +524,8 @@ class RidgeMaker {
     join_at(meeting.face, plane, size, middle, angle, ends);
   }
 
-  /// Of three lines and more the first two that meet, neighbours: no other wave is nearer there. What lies
-  /// between them ends, and one line goes on. \return false if there are none.
+  /// Joins, of three or more lines, the two neighbours that meet first, where no other wave is nearer. The
+  /// area between them ends, and one line goes on. \return false if no two meet.
   bool join_two(Index face, const FacePlane& plane, double size, std::vector<End>& ends) {
     const std::size_t count = ends.size();
     double most = -unreachable, angle = 0.0;
@@ -544,7 +542,7 @@ class RidgeMaker {
       for (const End& end : ends) nearest = std::min(nearest, end.behind.at(at).distance(at));
       double room = nearest - waves[0].distance(at);
       if (!(room > -on_curve * size)) continue;
-      // Of equal ones where one of them ends, as on a border, which lines meet without crossing it.
+      // A meeting where one of them ends comes first, as on a border, which lines meet without crossing it.
       for (const std::size_t k : {i, next}) {
         if (is_at(ends[k], at, size)) room = unreachable;
       }
@@ -566,7 +564,7 @@ class RidgeMaker {
     return true;
   }
 
-  /// Where the waves of three sides meet in the face, each where it is that of its side.
+  /// Where waves of three sides meet in the face, each in the part of its side that it has.
   static bool meet(const std::array<const Side*, 3>& sides, const FacePlane& plane, PlanePoint& place,
                    std::array<PlaneWave, 3>& waves) {
     for (const PlaneWave& one : sides[0]->waves) {
@@ -620,7 +618,7 @@ class RidgeMaker {
   Index add_junction(Index face, const FacePlane& plane, const PlanePoint& place, double angle) {
     auto weights = weights_of(plane, place);
     double sum = 0.0;
-    // Inside: if it were on a border, it would count as where lines come to that.
+    // A junction on a side of the face would count as a place where lines come to the border.
     for (double& weight : weights) sum += weight = std::max(weight, inside_face);
     for (double& weight : weights) weight /= sum;
     // A face without area.
@@ -647,12 +645,12 @@ class RidgeMaker {
   LineGraph graph_;
   Ridge ridge_;
   std::vector<WaveTree::Piece> border_;
-  std::vector<LineEnd> ends_;  ///< that live, of a meeting
+  std::vector<LineEnd> ends_;  ///< the ends of a meeting that are not dead
   std::vector<Index> point_of_node_;
 };
 
-/// Sources inside faces where one is nearest to nothing on the border of its face, so that no area tells of
-/// it.
+/// All sources inside the faces in which one source is nearest to no point of the face's border, so that no
+/// area shows it.
 std::vector<Index> sources_of_enclosed_regions(const ExactSolver::State& state, const WaveTree& tree) {
   const auto is_inside = [&](Index source) {
     const SurfacePoint& point = state.sources[source].point;

@@ -20,9 +20,9 @@ constexpr double least_step = 2.0;
 /// Windows that a solver makes in one step below which steps become longer.
 constexpr std::size_t few_windows = 64;
 
-/// Windows that a solver makes in one step at most, a little more than on a scan. Where those that the others
-/// have for it are nearer than all it has, a solver without them may follow windows around a thin part, turn
-/// by turn, as long as the step, and more of them at each turn.
+/// Most windows that a solver makes in one step, a little more than on a scan. Until it takes in nearer
+/// windows that the others have for it, a solver may follow its own around a thin part, turn by turn, as long
+/// as the step lasts, and more of them at each turn.
 constexpr std::size_t most_windows = 1 << 14;
 
 /// How often a thread looks whether the others have finished the step before it goes to sleep.
@@ -147,7 +147,7 @@ void SharedRun::begin_next_step() {
   const std::size_t made = *std::max_element(made_.begin(), made_.end());
   step_length_ = made < few_windows ? 2.0 * step_length_ : std::max(least_step_length_, 0.5 * step_length_);
   front_ = front;
-  // After a step that was cut off, the others must not run ahead of what was left.
+  // After a step that was cut off, the other solvers must not run ahead of what was left.
   end_of_step_ = (made < most_windows ? std::max(end_of_step_, front) : front) + step_length_;
   std::size_t reached = 0;
   for (const auto* state : all_) reached += state->touched_vertices.size();
@@ -158,7 +158,7 @@ void SharedRun::begin_next_step() {
 }
 
 void SharedRun::announce_step() {
-  // Whoever has looked at the step before it changed waits by now.
+  // Once the lock is free, every thread that read the old step is waiting, and will be notified.
   { const std::lock_guard lock(mutex_); }
   next_step_begins_.notify_all();
 }

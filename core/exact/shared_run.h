@@ -22,7 +22,7 @@ namespace vorogeo {
 /// Why nothing is lost or overtaken, whatever the sizes and the timing: between two steps, all that is still
 /// to be propagated lies in the queues and in the boxes that are handed on, and `front_` is no more than any
 /// distance in either (BucketQueue::least_key, Outbox::least). Windows and vertices descend only from those,
-/// so none that comes later is below it, and an edge behind it can be closed. A step takes all that lies
+/// so no later distance is below `front_`, and an edge behind it can be closed. A step takes all that lies
 /// below its end, late items included; the end lies above the front, so the run goes on until queues and
 /// boxes are empty. What a solver does in a step depends on its own state and the boxes, which are read in
 /// the order of their senders: the result depends on the number of solvers, in its last digits, but not on
@@ -36,7 +36,7 @@ class SharedRun {
   /// distances afterwards. \throw Cancelled.
   void run(ExactSolver::State& first, const Progress* progress);
 
-  /// Of the solvers besides the first.
+  /// Sums over the solvers besides the first.
   std::size_t window_count() const;
   std::size_t memory_bytes() const;
 
@@ -45,7 +45,7 @@ class SharedRun {
   /// A thread's part: takes steps of solvers, its own one first, until the run has ended.
   void work(int own, Watch* watch);
   void take_step(int solver);
-  /// Called by whoever took the last solver's step.
+  /// Called by the thread that finished the last solver's step.
   void begin_next_step();
   void announce_step();
 
@@ -62,7 +62,7 @@ class SharedRun {
   std::atomic<double> reached_{0.0};  ///< fraction of the vertices
   static constexpr int ended = -1;
   std::atomic<int> step_{0};
-  std::vector<std::atomic<int>> next_step_;  ///< of each solver
+  std::vector<std::atomic<int>> next_step_;  ///< the number of each solver's next step
   std::atomic<int> unfinished_{0};
   // For threads that wait for a step.
   std::mutex mutex_;

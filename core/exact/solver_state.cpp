@@ -14,21 +14,20 @@ namespace vorogeo {
 namespace {
 
 /// Widening of the sector into which a vertex emits, in radians: where a path past a vertex and one through
-/// it tie, either may cut off the other, and their directions differ by as much as the root of twice that
-/// rounding. Beside edges a million times as long (ExactGeometry::long_beside_small), positions are rounded
-/// by 2e-10.
+/// it tie, either may cut off the other, and their directions differ by up to the root of twice the rounding
+/// of positions, which is 2e-10 beside edges a million times as long (ExactGeometry::long_beside_small).
 constexpr double sector_tolerance = 2e-5;
 
-/// How far on the way to the nearest edge opposite the front has come when a flat vertex lights its sector.
+/// Where on the way to the nearest opposite edge the front is when a flat vertex lights its sector.
 constexpr double before_next_edge = 0.99;
 
 /// How far behind a piece of a segment its pseudo-source lies, in lengths of the piece: the wave of such a
 /// source lags behind the segment's by an eighth of the piece over this, and distances to it are rounded to
 /// so many units in the last place.
 constexpr double far_behind = 1e5;
-/// By so much is its offset smaller, so that no rounding makes a distance negative.
+/// The part by which its offset is smaller, so that no rounding makes a distance negative.
 constexpr double behind_rounding = 1e-15;
-/// Pieces of a segment at most.
+/// Greatest number of pieces of a segment.
 constexpr double most_pieces = 64.0;
 
 }  // namespace
@@ -133,9 +132,9 @@ void ExactSolver::State::take_vertex(Index vertex) {
       (geometry->can_bend[vertex] && !(geometry->flat_height[vertex] > 0.0))) {
     emit_fan(vertex, beside_barrier);
   } else if (geometry->can_bend[vertex]) {
-    // Its sector is no wider than rounding. Once the windows that pass on both sides have come to the edges
-    // opposite, only what these leave open takes in its light; before, it would part them for as far as they
-    // go.
+    // The sector is no wider than rounding. Once the windows that pass on both sides have come to the
+    // opposite edges, the vertex lights only what these leave open; earlier, its light would part these
+    // windows for as far as they go.
     light_is_due[vertex] = 1;
     queue.push(vertex, state.distance + before_next_edge * geometry->flat_height[vertex]);
   }
@@ -256,14 +255,14 @@ namespace {
 /// How far outside a window a vertex may lie and still be reached along the straight line, relative to the
 /// edge's length.
 constexpr double vertex_tolerance = 1e-11;
-/// The angle at a pseudo-source between the directions to a vertex outside its window and to the window's end
-/// up to which the vertex is reached, by way of the ray to that end. Windows that passed a vertex, or a
-/// cluster of them, on both sides drift apart by the rounding of angles, and where two windows are equal up
-/// to rounding, one of them keeps what lies in the rays of the other: as far as the root of that rounding. A
+/// Greatest angle at a pseudo-source, between the directions to the end of its window and to a vertex
+/// outside, at which the vertex is still reached by way of the ray to that end. Windows that passed a vertex,
+/// or a cluster of them, on both sides drift apart by the rounding of angles, and where two windows are equal
+/// up to rounding, one of them keeps what lies in the rays of the other, up to the root of that rounding. A
 /// path that leaves the ray makes no distance too short, and too long by its detour only.
 constexpr double gap_angle = 1e-5;
 /// The greatest detour, relative to the distance: ten times half the square of that angle, as far from the
-/// source the tie of two windows leaves more of the direction open than of the distance.
+/// source a tie of two windows leaves the direction more uncertain than the distance.
 constexpr double greatest_detour = 5e-10;
 /// By how much nearer a vertex in such a gap has to become, relative to its distance.
 constexpr double least_gain = 1e-10;
@@ -271,7 +270,7 @@ constexpr double least_gain = 1e-10;
 /// Windows narrower than this, relative to their edge, come from rounding at ties.
 constexpr double least_width = 1e-11;
 
-/// Pseudo-sources this close to the edge, relative to its length, send all rays through its next point.
+/// Pseudo-sources this close to an edge, relative to its length, send all rays through its nearest point.
 constexpr double near_edge = 1e-6;
 
 /// Pseudo-sources of neighbouring windows this close together, relative to their distance and the edge's
@@ -281,10 +280,10 @@ constexpr double same_source = 1e-13;
 /// A wave this far behind another one, relative to their distance, is the same up to rounding.
 constexpr double greatest_lag = 1e-12;
 
-/// Opens a window that ends about where such a pseudo-source lies: whether a ray passes on this or the other
-/// side of that end is rounding. Each direction through the gap, of some units in the last place of positions
-/// and distances, is a path; without it, a sector in the shadow of a vertex that lies on the edge would be
-/// lost.
+/// Widens a window that ends about where such a pseudo-source lies: rounding decides on which side of that
+/// end a ray passes. The gap is some units in the last place of positions and distances wide, and each
+/// direction through it is a path; without it, a sector in the shadow of a vertex that lies on the edge would
+/// be lost.
 void open_at_source(const ExactGeometry& geometry, Index edge, Window& window, double length) {
   if (!(window.source_y < near_edge * length)) return;
   const double distance = window.offset + window.source_y;
@@ -449,7 +448,7 @@ inline std::array<double, 2> ExactSolver::State::last_seen(const Window& window,
 inline bool ExactSolver::State::arrives_straight(const Window& window, Index halfedge, double to_apex) const {
   const double end = std::clamp(to_apex, window.begin, window.end);
   if (end == to_apex) return true;
-  // The path turns near the window's end, from where a vertex close to it is seen in quite another direction.
+  // The path turns near the window's end, where a vertex close by lies in quite another direction.
   const FaceFrame& frame = geometry->frame[halfedge];
   const auto [x, y] = last_seen(window, halfedge, end);
   const double from_source = frame.apex_x - window.source_x;
@@ -507,8 +506,8 @@ void ExactSolver::State::cross_face(Index halfedge) {
     const double outside = std::max(window.begin - item.to_apex, item.to_apex - window.end);
     const double known = vertices[frame.apex].distance;
     if (outside <= tolerance) {
-      // By way of the window's end: past it, where the tolerance is no small part of the face, a path would
-      // be shorter than there is one.
+      // By way of the window's end: where the tolerance is no small part of the face, the straight line past
+      // the end may be shorter than any path.
       double distance = window.offset + std::sqrt(dx * dx + height * height);
       if (outside > 0.0) {
         const double end = std::clamp(item.to_apex, window.begin, window.end);
@@ -524,8 +523,8 @@ void ExactSolver::State::cross_face(Index halfedge) {
       const double distance = window.offset + std::hypot(x - window.source_x, y - window.source_y) +
                               std::hypot(frame.apex_x - x, y + frame.apex_depth);
       const double detour = distance - (window.offset + std::sqrt(dx * dx + height * height));
-      // Each time a vertex is reached, it sends out windows: in a gap, only if nothing that sees it is as
-      // near.
+      // Each time a vertex is reached, it sends out windows. So in a gap, it is reached only if nothing that
+      // sees it is as near.
       if (detour <= greatest_detour * distance && distance < (1.0 - least_gain) * known)
         reach_apex(window, halfedge, distance, item.to_apex);
     }
@@ -567,11 +566,11 @@ void ExactSolver::State::hand_on(const Side& side, bool second, Index crossed_ed
 }
 
 bool ExactSolver::State::was_passed(const Window& window) {
-  // An edge that more points lie on is one of a heap of faces without width all along, whose vertices pass on
-  // what they are reached by themselves.
+  // An edge on which more points lie is part of a heap of faces without width all along, whose vertices
+  // themselves pass on what reaches them.
   constexpr std::size_t max_points = 64;
-  // Of rays that reach the edge at their vertex's place or beside it, those to a side pass a part that lies
-  // there.
+  // Rays go to a side of the vertex where the window extends to that side, by much more than the vertex is
+  // off the edge.
   auto has_rays = [&](double part) { return part > 0.0 && window.source_y <= sector_tolerance * part; };
   const PassedPoint here{window.source_x, window.offset + window.source_y,
                          has_rays(window.source_x - window.begin), has_rays(window.end - window.source_x)};
@@ -689,8 +688,8 @@ bool merge(const Window& a, const Window& b, Window& result) {
   const double radius_at_begin = at_begin - a.offset;
   const double radius_at_end = at_end - b.offset;
   if (!(room > 0.0 && radius_at_begin > 0.0 && radius_at_end > 0.0)) return false;
-  // Distance of the new pseudo-source from the beginning. A smaller one turns the rays at both ends outwards,
-  // which must go out as far as those of the old windows.
+  // Distance of the new pseudo-source from the beginning. The smaller it is, the farther outwards the rays at
+  // both ends go; they must go out at least as far as those of the old windows.
   const double slope_at_begin = (a.begin - a.source_x) / radius_at_begin;
   const double slope_at_end = (b.end - b.source_x) / radius_at_end;
   double radius = std::max(radius_at_begin, radius_at_end - rise);
@@ -722,7 +721,7 @@ double deviation(const Window& merged, const Window& a, const Window& b) {
   return largest;
 }
 
-/// Windows so far apart, relative to their distance and the edge's length, are neighbours all the same.
+/// Windows whose ends are this far apart, relative to distance and edge length, are still neighbours.
 constexpr double end_rounding = 1e-9;
 
 }  // namespace
@@ -736,13 +735,13 @@ inline bool ExactSolver::State::is_beam_of_rounding(Index edge, const Window& wi
 void ExactSolver::State::merge_crossing(Index halfedge) {
   const Index edge = mesh.edge_of(halfedge);
   const double length = mesh.edge_length(edge);
-  // A way round a tube of needles is hardly longer than they are wide: were more taken off a distance than
-  // that, or a slit beside a merged window handed round, there would be no end. Long edges lead into parts
-  // that are smaller altogether, where the distance itself bounds it.
+  // A path round a tube of needles is hardly longer than they are wide: if more than that were taken off a
+  // distance, or a slit beside a merged window handed on round the tube, propagation would not end. Long
+  // edges lead into parts that are smaller altogether, where the distance itself bounds the deviation.
   const double tolerance =
       merge_tolerance * std::min({length, geometry->frame[halfedge].apex_depth, mesh.typical_edge_length()});
-  // Far out on a long edge, the distances have not the digits from which a pseudo-source could be made again:
-  // around an outlier a window would get nearer by rounding each time round, without end.
+  // Far out on a long edge, distances lack the digits to compute a pseudo-source from: around an outlier, a
+  // window would get nearer by rounding each time round, without end.
   const bool is_long = geometry->is_long(edge);
   const double greatest_end =
       is_long ? ExactGeometry::long_beside_small * geometry->fineness[edge] : unreachable;
@@ -751,9 +750,9 @@ void ExactSolver::State::merge_crossing(Index halfedge) {
   for (std::size_t i = 1; i < crossing.size(); ++i) {
     const Window& next = crossing[i].window;
     Window& window = crossing[last].window;
-    // What is no wider than rounding ends at the next edge, unless its rays spread. It may be longer than its
-    // neighbours, and than a vertex at the end of the edge: a window that kept its distance there would be
-    // cut back, and leave the rays of the other open.
+    // A window no wider than rounding ends at the next edge, unless its rays spread. Its distance may be
+    // longer than those of its neighbours and of a vertex at the edge's end: a merged window with that
+    // distance would be cut back, and nothing would cover the rays of the other window.
     if (is_beam_of_rounding(edge, next)) continue;
     if (is_beam_of_rounding(edge, window)) {
       window = next;

@@ -45,9 +45,9 @@ struct Side {
   }
   double inside(double x) const { return std::clamp(x, 0.0, length); }
 
-  /// Where a pseudo-source that rounding has taken behind the line of the side is laid on the line, towards
-  /// `x`: as far from where positions count from as it was, (across, away). At an edge of a few units in the
-  /// last place, it may lie anywhere behind.
+  /// Where a pseudo-source that rounding has taken behind the line of the side is put on the line: towards
+  /// `x`, as far from where positions count from as it was at (across, away). At an edge of a few units in
+  /// the last place, the pseudo-source may lie anywhere behind.
   static double on_line(double x, double across, double away) {
     return std::copysign(std::sqrt(across * across + away * away), x);
   }
@@ -74,8 +74,8 @@ struct Side {
   }
 
   /// The same for a side whose positions count from the apex, without differences of large numbers: the
-  /// shared vertex may be an outlier. `apex_along`: of the apex on the crossed edge, `to_apex`: where the ray
-  /// to it passes, both from the crossed edge's first vertex.
+  /// shared vertex may be an outlier. `apex_along`: the apex's position along the crossed edge, `to_apex`:
+  /// where the ray to the apex passes the edge, both from the edge's first vertex.
   Window arriving_from_apex(const Window& window, double begin, double end, bool to_end, bool second,
                             double crossed_length, double apex_along, double to_apex) const {
     const double sign = second ? -1.0 : 1.0;
@@ -86,7 +86,7 @@ struct Side {
       const double from_shared = second ? crossed_length - x : x;
       const double denominator = source_y * apex_x - aside * apex_depth;
       if (!(denominator > 0.0)) return inside(length - crossing(from_shared, from_shared - aside, source_y));
-      // Next to the apex, from the ray to it; next to the shared vertex, that is too far to have its digits.
+      // Near the apex, counted from the ray to it; near the shared vertex, that would have lost its digits.
       const double passed = length * std::min(1.0, from_shared * source_y / denominator);
       if (passed <= 0.5 * length) return inside(length - passed);
       return inside(length * std::min(1.0, sign * (to_apex - x) * height / denominator));
@@ -127,8 +127,8 @@ struct VertexState {
   /// In a run that finds directions: the angle at the source at which the path begins.
   double first_leg = 0.0;
 
-  /// Whether a path that arrives so tells more: it is shorter, or as long and from no direction, as from a
-  /// vertex in the same place. From there, paths go on in directions in which one that arrives straight
+  /// Whether such an arrival tells more: its path is shorter, or as long and from no direction, as from a
+  /// vertex in the same place. From there, paths go on in directions into which a path that arrives straight
   /// could not bend.
   bool is_improved_by(double other_distance, double other_arrival) const {
     constexpr double tie = 1e-12;
@@ -182,9 +182,10 @@ struct ExactSolver::State {
   static constexpr int items_per_report = 4096;
   /// Propagates an item of the queue. `front`: no distance below it is still to be propagated.
   void take(Index item, double front);
-  /// A side that is due, of a face that new windows of an edge came through: its windows may be about to come
-  /// through it too, so the edge is better taken after it, with both together. Without this, n windows that
-  /// pass n needles one after another meet each needle one by one. no_index if there is none.
+  /// A side that is due, of a face that new windows of the edge came through: the side's windows may be about
+  /// to come through that face, too, so the edge is better taken after it, with all these windows together.
+  /// Without this, n windows that pass n needles one after another meet each needle one by one. no_index if
+  /// there is none.
   Index due_before(Index edge);
   void take_vertex(Index vertex);
   /// \pre It was reached.
@@ -194,7 +195,7 @@ struct ExactSolver::State {
   }
   /// Whether paths from a vertex have no first leg yet, in a run that finds directions. \pre It was reached.
   bool begins_at(Index vertex) const { return directions != nullptr && is_source(vertex); }
-  /// Of a window in which the edge of a half-edge is seen from the source.
+  /// The first leg of a window in which the edge of a half-edge is seen from the source.
   double first_leg_over(Index halfedge) const {
     const EdgeView& seen = directions->view(halfedge);
     return FirstLeg::seen(seen.across, seen.sign);
@@ -215,23 +216,23 @@ struct ExactSolver::State {
     return window.source_y <= ExactGeometry::next_to_nothing * scale;
   }
   /// Sends the rays of a vertex that lies on an edge on across it, and across further edges through the same
-  /// place. On the edge itself others may be nearer on both sides of that one point, so that its window is no
-  /// longer than a point, whose rays nevertheless fill the shadow behind the vertex.
+  /// place. On the edge itself other windows may be nearer on both sides of that point, so that the vertex's
+  /// window is a single point, whose rays nevertheless fill the shadow behind the vertex.
   void pass_through(const Window& window);
-  /// Whether rays from another vertex on the same line have crossed the edge of the window, from the same
-  /// face, to the same sides, at a place from which its own vertex is reached along the edge no later: those
-  /// cover all that is behind. Otherwise notes its place. So a heap of faces without width is crossed once,
-  /// not by each of its vertices.
+  /// Whether rays of another vertex on the same line have crossed the window's edge, from the same face and
+  /// to the same sides, at a place from which the window's vertex is reached along the edge no later: those
+  /// rays cover all that is behind. Otherwise notes the window's place. So a heap of faces without width is
+  /// crossed once, not by each of its vertices.
   bool was_passed(const Window& window);
-  /// Cuts off what the end vertices of the open edge reach no later; false if nothing is left.
+  /// Cuts off the parts that the end vertices of the open edge reach no later; false if nothing is left.
   bool cut_at_ends(Window& window, double& at_begin, double& at_end) const;
   bool open_edge(Index edge);
-  /// How many times as much as elsewhere is taken for rounding on an edge, by how often it was taken.
+  /// By which factor rounding is greater on an edge than elsewhere, by how often the edge was taken.
   double rounding_of(Index edge) const;
   void insert_window(const Window& window);
   /// Whether a window of the open edge is so narrow that it comes from rounding.
   bool is_sliver(const Window& window) const;
-  /// The same for any edge, with its rounding and however long it is.
+  /// The same for an edge of any length, with a given rounding.
   bool is_narrow(Index edge, const Window& window, double rounding) const;
   /// insert_window() where an end vertex may overtake it, or with a corridor.
   void insert_cut(Window window, double at_begin, double at_end);
@@ -242,13 +243,13 @@ struct ExactSolver::State {
   /// `to_apex`: where the ray from the pseudo-source to the apex crosses the edge, which may be outside the
   /// window.
   void reach_apex(const Window& window, Index halfedge, double distance, double to_apex);
-  /// Where a path to the apex leaves the ray to an end of the window, as the apex is outside: in the face
-  /// before the edge or, where the edge would not let it through, at the end. In the plane of the edge, with
-  /// the pseudo-source.
+  /// Where a path to an apex outside the window leaves the ray to an end of the window: in the face before
+  /// the edge or, if the path would miss the edge from there, at the end itself. In the plane of the edge,
+  /// with the pseudo-source.
   std::array<double, 2> last_seen(const Window& window, Index halfedge, double end) const;
   /// Whether a path that reaches the apex arrives there in the direction from the pseudo-source.
   bool arrives_straight(const Window& window, Index halfedge, double to_apex) const;
-  /// Into the sector between two angles of a corner of the given width.
+  /// Emits a window into the sector between two angles of a corner of the given width.
   void emit(Index vertex, Index corner, double width, double least_angle, double greatest_angle);
   void emit_from(const ExactSource& source, Index id, Index halfedge);
   void emit_fan(Index vertex, bool everywhere);
@@ -329,7 +330,7 @@ struct ExactSolver::State {
 
   std::vector<VertexState> vertices;
   std::vector<Index> touched_vertices;
-  std::vector<std::uint8_t> light_is_due;  ///< by vertex: taken once; when taken again it lights its sector
+  std::vector<std::uint8_t> light_is_due;  ///< by vertex: was taken once; taken again, it lights its sector
   WindowEnvelope envelope;
   /// A window being passed on across a face, and where the ray to the face's apex leaves its edge.
   struct Crossing {
@@ -340,14 +341,13 @@ struct ExactSolver::State {
   std::vector<Crossing> crossing;
   /// Whether two windows of an edge, in this order, are seen from one pseudo-source through the same faces.
   bool is_same_beam(Index edge, const Window& window, const Window& next) const;
-  /// Whether a window between two of a beam has its pseudo-source on the rays that are missing there: its
-  /// wave is where the beam's would be. In the shadow of a hole it is behind that, and the farther on the
-  /// less.
+  /// Whether a window between two of a beam has the wave that the missing rays of the beam would have there,
+  /// up to rounding. In the shadow of a hole it lags behind that wave, the less the farther on.
   static bool is_in_beam(const Window& window, const Window& beam);
-  /// Which of the windows before it the i-th one continues: rays of one pseudo-source that passed flat
-  /// vertices on their two sides, with nothing between but what such a vertex lights where rounding has left
-  /// them apart. `i`: none. Left apart, a fan of needles in a plane would double windows at each edge, and
-  /// each vertex part all that is behind it.
+  /// Which earlier window the i-th one continues, `i` if none: both are rays of one pseudo-source that passed
+  /// a flat vertex on its two sides, with nothing between them but what the vertex lights where rounding has
+  /// left a gap. If they stayed apart, a fan of needles in a plane would double windows at each edge, as each
+  /// vertex would part all windows behind it.
   std::size_t continued_by(Index edge, std::span<const Window> windows, std::size_t i) const;
   bool passes_through = false;
   std::vector<Window> through;  ///< windows whose pseudo-source lies on their edge, in pass_through()
@@ -373,14 +373,14 @@ struct ExactSolver::State {
   double edge_in_space = 1.0;    ///< length of the open edge in space, relative to its length
   double target_x = 0.0;         ///< of the corridor's target in space, along the edge
   double target_depth = 0.0;     ///< and away from its line
-  double proven_at_first = 0.0;  ///< lower bound of the rest of a path at its ends, by the landmarks
+  double proven_at_first = 0.0;  ///< lower bounds of the rest of a path from its ends, by the landmarks
   double proven_at_second = 0.0;
   /// Vertices are items [0, n), edges follow.
   BucketQueue queue;
   /// Only vertex distances are wanted: edges drop their windows when the front has passed.
   bool distances_only = false;
-  /// An edge, and the queue's bucket of the distance behind which no path to it can be shorter than those
-  /// that it has.
+  /// An edge, and the queue's bucket of a distance: once the front is beyond it, no path to the edge can be
+  /// shorter than those it has.
   struct ClosingEdge {
     std::int64_t bucket;
     Index edge;
@@ -388,7 +388,7 @@ struct ExactSolver::State {
   TimingWheel<ClosingEdge> closing;
   std::int64_t closed_before = 0;  ///< edges of lower buckets are closed
 
-  /// In a run that several solvers share: who owns what, this one's number there, and what it has for each.
+  /// In a run that several solvers share: the owners, this solver's number, and what it has for each other.
   const Territories* territories = nullptr;
   std::uint8_t number = 0;
   std::vector<Outbox> outbox;

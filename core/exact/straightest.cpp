@@ -16,9 +16,9 @@ namespace {
 
 /// A line that passes a vertex this close, relative to the shortest edge around, passes through it.
 constexpr double through_vertex = 1e-12;
-/// Lines that glide in turns: while one waits for what is behind a face, the others go on.
+/// Lines that glide in turns: while one waits for the memory of its next face, the others go on.
 constexpr std::size_t lines_side_by_side = 8;
-/// Of directions, in radians.
+/// Rounding of directions, in radians.
 constexpr double angle_rounding = 1e-15;
 /// Directions this far outside all faces, in radians, are along the border.
 constexpr double along_border = 1e-9;
@@ -38,7 +38,7 @@ class Line {
     end_ = frame.point();
     leave(frame, angle);
   }
-  /// To the end of the line, or to where it glides. \return whether it does.
+  /// Goes on to the end of the line, or to where it begins to glide. \return whether it glides.
   bool walk_on() {
     for (int step = 1; !is_done_; ++step) {
       if (step % 256 == 0) checkpoint();
@@ -54,13 +54,13 @@ class Line {
     return false;
   }
   SurfacePoint end() const { return validated(*mesh_, end_); }
-  /// What was not walked.
+  /// The length that is left.
   double left() const { return left_; }
 
-  // A line glides through faces that need no care: none is its last one, it comes near no vertex there, and
-  // behind each side is one more face, oriented alike. It is followed in the plane where it is the x axis.
+  // A line glides through faces that need no care: it does not end there and comes near no vertex, and behind
+  // each side is one more face, oriented alike. It is followed in the plane in which it is the x axis.
 
-  /// Through one face. \return false if that needs care; it is not crossed then.
+  /// Glides through one face. \return false if the face needs care; it is not crossed then.
   bool glide() {
     const FaceSteps::Step& step = steps_[halfedge_];
     const PlanePoint to_apex{step.from_tail * way_[0] - step.depth * way_[1],
@@ -88,7 +88,7 @@ class Line {
     return true;
   }
 
-  /// Through the face that needs care.
+  /// Crosses the face that needs care.
   void stop_gliding() {
     const double part = tail_ / (tail_ - head_), size = std::sqrt(squared_), length = length_of(halfedge_);
     const bool is_forth = geometry_->frame[halfedge_].along;
@@ -110,7 +110,7 @@ class Line {
     return weights;
   }
 
-  /// Walks straight through a face, from() to to(); the line ends on the way if it is no longer than that.
+  /// Walks straight through a face, from() to to(); the line ends on the way if it reaches no farther.
   template <class From, class To>
   void walk(Index face, double distance, const From& from, const To& to) {
     if (distance < left_) {
@@ -127,7 +127,7 @@ class Line {
     }
   }
 
-  /// From a point into the face in that direction.
+  /// Leaves a point into the face that lies in that direction.
   void leave(const TangentFrame& frame, double angle) {
     const EdgeView* into = nullptr;
     double least = frame.is_on_border() ? along_border : 2.0 * frame.full_turn();
@@ -149,7 +149,7 @@ class Line {
     const double length = length_of(h);
     Weights from{};
     weights_in_face(*mesh_, frame.point(), face, from);
-    // How far the line passes from the ends of the edge, and how far these are along it.
+    // How far the line passes from the ends of the edge, and how far along the line these are.
     std::array<double, 2> to_end{}, aside{}, along{};
     const double rounding = angle_rounding * std::max(1.0, std::abs(direction));
     for (const int k : {0, 1}) {
@@ -187,7 +187,7 @@ class Line {
     return tail_ > 0.0 && head_ < 0.0;
   }
 
-  /// Through the face behind the edge.
+  /// Crosses the face behind the edge.
   void cross() {
     const Index h = mesh_->next_around_edge(edge_.halfedge);
     if (h == edge_.halfedge || mesh_->next_around_edge(h) != edge_.halfedge) {
@@ -234,7 +234,7 @@ class Line {
     edge_ = {halfedge, side, at, (is_reversed ? -turned : turned) / size, across / size};
   }
 
-  /// To a vertex of a face, and on with half of its angle on either side.
+  /// Goes to a vertex of a face, and on with half of the vertex's angle on either side.
   void reach(Index vertex, Index face, const Weights& from, double distance) {
     walk(
         face, distance, [&] { return from; },
@@ -245,7 +245,7 @@ class Line {
         });
     if (is_done_) return;
     end_ = SurfacePoint::at_vertex(vertex);
-    // Along a border, a line goes on where that is straight; round its bends only if it slides.
+    // Along a border, a line goes on where the border is straight; round its bends only if it slides.
     const bool bends = mesh_->fan(vertex) == Mesh::Fan::open &&
                        std::abs(mesh_->total_angle(vertex) - std::numbers::pi) > along_border;
     is_done_ = !TangentFrame::exists_at(*mesh_, vertex) || (bends && at_border_ == AtBorder::end);
@@ -254,7 +254,7 @@ class Line {
     onwards_ = vertex_frame_->angle_in_face(face, from) + 0.5 * vertex_frame_->full_turn();
   }
 
-  /// At the border of a point, which the line would leave by that angle.
+  /// Meets the border at a point, which the line would leave by that angle.
   void meet_border(const TangentFrame& frame, double angle) {
     const SurfacePoint& point = frame.point();
     if (!point.is_vertex()) {
@@ -283,7 +283,7 @@ class Line {
     return no_index;
   }
 
-  /// Along the border, from a place on one of its edges.
+  /// Ends at a place on a border edge, or slides on along the border from there.
   void slide(Index halfedge, double x, bool to_second) {
     end_ = SurfacePoint::in_face(Mesh::face_of(halfedge), on_edge(halfedge, x));
     for (int step = 1; at_border_ == AtBorder::slide; ++step) {
@@ -320,14 +320,14 @@ class Line {
   SurfacePoint end_;
   OnEdge edge_{};
   std::optional<TangentFrame> vertex_frame_;  ///< where the line has come to a vertex
-  double onwards_ = 0.0;                      ///< the angle in which it leaves it
-  // While it glides: into a face by a half-edge, whose tail is to the left of the line, its head to the
-  // right.
+  double onwards_ = 0.0;                      ///< the angle at which it leaves the vertex
+  // While the line glides, it enters a face by a half-edge, whose tail is to the left of the line, its head
+  // to the right.
   Index halfedge_ = no_index;
   PlanePoint way_{};                ///< from tail to head
-  double tail_ = 0.0, head_ = 0.0;  ///< how far to the left they are
+  double tail_ = 0.0, head_ = 0.0;  ///< how far to the left of the line they are
   double forth_ = 0.0;              ///< how far along the line the tail is, from where it began to glide
-  double squared_ = 0.0;            ///< length of the half-edge
+  double squared_ = 0.0;            ///< squared length of the half-edge
 };
 
 }  // namespace

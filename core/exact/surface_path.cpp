@@ -33,8 +33,8 @@ void for_each_common_face(const Mesh& mesh, const SurfacePoint& a, const Surface
   });
 }
 
-/// Without the care of std::hypot for squares that leave the range of numbers, which takes most of its time:
-/// meshes have no such lengths.
+/// Without the precautions of std::hypot for squares that leave the range of numbers, which take most of its
+/// time: meshes have no such lengths.
 double length_of(const Point& step) {
   return std::sqrt(step[0] * step[0] + step[1] * step[1] + step[2] * step[2]);
 }

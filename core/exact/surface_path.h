@@ -30,8 +30,8 @@ struct MeasuredLength {
 /// `unreachable` if there is no point or two share no face. Complexity: O(points) for each face at a point.
 MeasuredLength measured_length(const Mesh& mesh, std::span<const SurfacePoint> points);
 
-/// What a line costs from its first point to its last: that sum, and what a potential rises
-/// (Mesh::potential).
+/// What a line costs from its first point to its last: its measured length, and the rise of the potential
+/// there (Mesh::potential).
 double cost_of_line(const Mesh& mesh, std::span<const SurfacePoint> points);
 
 /// The first face that holds both points; no_index if there is none.
@@ -41,12 +41,12 @@ Index common_face(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b
 /// sides of a slit say, are not.
 bool is_same_point(const Mesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
 
-/// By point: whether the step to the next one runs over a gap, through bridges and no face that was given.
-/// The last has none.
+/// By point: whether the step to the next one runs over a gap, through bridges only and no face of the input.
+/// The last point has none.
 std::vector<bool> steps_over_gaps(const Mesh& mesh, std::span<const SurfacePoint> points);
 
 /// Whether a path runs from `first` to `last`, every two consecutive points share a face, and its steps sum
-/// to `distance` and to what it says its length is.
+/// to `distance` and to the length that the path states.
 bool is_path(const Mesh& mesh, const SurfacePath& path, const MeasuredLength& measured,
              const SurfacePoint& first, const SurfacePoint& last, double distance);
 /// The same for a path that has not been measured along its points.

@@ -11,7 +11,7 @@ namespace vorogeo {
 
 namespace {
 
-/// Patches of a mesh, as long as each has about so many faces.
+/// A mesh has at most this many patches, fewer if they would have less than `least_faces` faces.
 constexpr Index most_patches = 512;
 constexpr Index least_faces = 64;
 
@@ -20,7 +20,7 @@ constexpr Index least_faces = 64;
 /// would wait for the next step at every border, while all of them propagated what it is about to replace.
 constexpr double least_size = 1.0 / 32.0;
 
-/// Of the faces at one edge, each asks no more than this many others whether they stay together with it.
+/// A face asks about this many others at most whether they stay together with it.
 constexpr int most_asked = 64;
 
 /// Sweeps over the patches in which each takes the owner that fewest of its neighbours have.
@@ -67,7 +67,7 @@ std::vector<Index> grow_patches(const Mesh& mesh) {
     for (; next < reached.size(); ++next) {
       if (next % elements_per_checkpoint == 0) checkpoint();
       const Index face = reached[next];
-      // The faces behind one that is taken are its own to take.
+      // Faces behind one that is taken already are left to that one.
       for_each_beside(face, [&](Index, Index beside) {
         const bool is_free = patch[beside] == no_index;
         take(beside, patch[face]);

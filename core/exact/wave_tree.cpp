@@ -15,11 +15,11 @@ namespace {
 
 /// Distances that differ by less, relative to them and to the length of the edge, are equal.
 constexpr double as_near = 1e-10;
-/// Parts so narrow, relative to their edge, come from rounding.
+/// Parts narrower than this, relative to their edge, come from rounding.
 constexpr double narrow = 1e-11;
-/// By so much, relative to the distance, must a path by way of a corner be shorter than one across a side.
+/// By how much, relative to the distance, a path by way of a corner must be shorter than one across a side.
 constexpr double by_corner = 1e-12;
-/// By so much of how far its source is from that of another wave, a path must be shorter than one of that.
+/// A path of another wave counts as longer by this part of how far apart the sources of the two waves are.
 constexpr double by_other_wave = 1e-6;
 
 }  // namespace
@@ -93,7 +93,7 @@ std::vector<EdgePart> WaveTree::shortest_windows(Index edge, const std::vector<C
       (side > 0.0 ? window.begin : window.end) = std::clamp(at + side * taken, window.begin, window.end);
     }
     if (!(window.end - window.begin > narrow * length)) return;
-    // Of an end of the edge, through a face without width.
+    // Left out: a wave of an end of the edge, or of a source on it, that came through a face without width.
     const auto is_from = [&](const Cone& cone) {
       return std::abs(window.source_x - cone.at) + window.source_y <= as_near * length &&
              cone.distance <= window.offset;
@@ -108,7 +108,7 @@ std::vector<EdgePart> WaveTree::shortest_windows(Index edge, const std::vector<C
                         {}});
   };
   for (Window window : state_.envelope.windows(edge)) {
-    // A source inside parts it, as it is nearer there.
+    // A source inside a window divides it, as the source is nearer there.
     for (const Cone& cone : cones) {
       if (!(window.begin < cone.at && cone.at < window.end)) continue;
       Window before = window;
@@ -131,7 +131,7 @@ void WaveTree::divide(Index edge) {
     free_from = window.end;
   }
   fill(edge, cones, free_from, length);
-  // What rounding has left between two parts, or at an end, is halved.
+  // A gap that rounding has left between two parts is halved; one at an end goes to the part there.
   if (parts_.begin() + first == parts_.end())
     parts_.push_back({0.0, length, 0.0, 0.0, unreachable, no_index, {}});
   parts_[first].begin = 0.0;
@@ -140,11 +140,11 @@ void WaveTree::divide(Index edge) {
     it->begin = (it - 1)->end = 0.5 * ((it - 1)->end + it->begin);
 }
 
-/// Where no window reaches: by paths along the edge, from its ends and from sources on it.
+/// Fills an interval that no window reaches, by paths along the edge from its ends and from sources on it.
 void WaveTree::fill(Index edge, const std::vector<Cone>& cones, double begin, double end) {
   const double length = mesh_.edge_length(edge);
   if (!(end - begin > narrow * length || (length == 0.0 && begin == 0.0))) return;
-  // Those that others reach first; of equal ones the first stays, and a source before a vertex.
+  // Whether others reach a cone's place first; of equal ones the first stays, and a source before a vertex.
   const auto is_later = [&](const Cone& one, const Cone& other) {
     const double gain = one.distance - other.at_place(one.at);
     const double rounding = by_corner * (one.distance + length);
@@ -182,8 +182,8 @@ class WaveTree::OriginFinder {
   OriginFinder(const WaveTree& tree, Index face)
       : tree_(tree), mesh_(tree.mesh_), geometry_(tree.geometry_), face_(face), plane_(geometry_, face) {}
 
-  /// Of the middle of a part that came through the face by the side i: of paths that are equally short up to
-  /// rounding, the one in whose wave it is.
+  /// The origin of a part of side i that came through the face, for its middle: of paths that are equally
+  /// short up to rounding, the one that carries the part's wave.
   Origin of(const EdgePart& part, int i) {
     const Index edge = mesh_.edge_of(3 * face_ + i);
     const double share = 0.5 * (part.begin + part.end) / mesh_.edge_length(edge);
@@ -308,7 +308,7 @@ void WaveTree::find_origins(Index face) {
   }
 }
 
-/// What the paths of parts turned at last, or came from.
+/// The vertices at which the paths of parts turned last, or the sources that they came from.
 class WaveTree::LastTurns {
  public:
   explicit LastTurns(const std::vector<EdgePart>& parts) : parts_(parts), turn_(parts.size()) {}
@@ -330,8 +330,9 @@ class WaveTree::LastTurns {
   std::vector<Index> passed_;
 };
 
-/// In the order of their distances, each from what has its own arrival already. Where rounding lets a wave
-/// that grazes a vertex come from that as well as past it, the vertex would else be reached from itself.
+/// Finds arrivals in the order of distances, each from a vertex that has its own already. Otherwise, where
+/// rounding lets a wave that grazes a vertex come from it as well as past it, the vertex would be reached
+/// from itself.
 void WaveTree::find_arrivals() {
   arrivals_.assign(mesh_.vertex_count(), no_index);
   std::vector<Index> waiting, still_waiting;
@@ -347,7 +348,7 @@ void WaveTree::find_arrivals() {
     const Origin turn = turns.of(part);
     return turn.kind == Origin::source || (turn.kind == Origin::vertex && is_reached[turn.id]);
   };
-  bool has_to = false;  // none of those that wait is reached from others
+  bool has_to = false;  // no waiting vertex was reached: the next takes any arrival
   for (Index done = 0; !waiting.empty(); waiting.swap(still_waiting)) {
     still_waiting.clear();
     for (const Index v : waiting) {
@@ -362,8 +363,8 @@ void WaveTree::find_arrivals() {
   }
 }
 
-/// The edge by which a vertex is reached first, from parts that may be; no_index if there is none as near as
-/// the nearest of all.
+/// The edge by which a vertex is reached first, from parts that `may_be` accepts; no_index if none of these
+/// is as near as the nearest of all.
 template <class MayBe>
 Index WaveTree::arrival_from(Index vertex, const MayBe& may_be) {
   double least = unreachable, nearest = unreachable;
@@ -417,7 +418,7 @@ void WaveTree::border_of(Index face, std::vector<Piece>& border) const {
 
 void WaveTree::gaps_before(const std::vector<Piece>& border, std::vector<Index>& before) {
   const auto count = static_cast<Index>(border.size());
-  // The piece of the same area that comes before each, round the border.
+  // For each piece, the one of the same area before it, going round the border.
   std::vector<Index> order(border.size()), previous(border.size());
   std::iota(order.begin(), order.end(), 0);
   std::ranges::sort(order, {}, [&](Index i) { return std::pair(border[i].area, i); });
@@ -461,8 +462,8 @@ void WaveTree::lay_side_by_side(Index face) {
   std::vector<Origin> areas;
   for (const Piece& piece : border) areas.push_back(piece.area);
   if (are_side_by_side(areas, count)) return;
-  // Where paths enter the face is certain. What leaves it, wide parts first, goes to another area where its
-  // own would cross others: to that of a piece beside it.
+  // Where paths enter the face is certain. Parts by which they leave it, wide ones first, keep their area
+  // unless it would cross others, and otherwise take that of the piece beside them.
   const auto leaves = [&](const Piece& piece) {
     return piece.part != no_index && parts_[piece.part].through == face;
   };

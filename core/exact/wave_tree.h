@@ -34,25 +34,25 @@ struct EdgePart {
   PlanePoint direction(double at, Index face) const { return {x - at, through == face ? y : -y}; }
 };
 
-/// The parts of all edges, in a tree: each is reached from one origin, through one face or along its edge,
-/// and each vertex where paths turn in one place. In a face, what is reached from one origin is an area of
-/// its own, and areas lie side by side, whatever rounding has done to single windows. So, glued together
-/// along the parts, the areas of all faces are one disk for each source.
+/// The parts of all edges as a tree: each is reached from one origin, through one face or along its edge, and
+/// each vertex where paths turn is reached in one place. In a face, what is reached from one origin is an
+/// area of its own, and areas lie side by side, whatever rounding has done to single windows. So, glued
+/// together along the parts, the areas of all faces are one disk for each source.
 class WaveTree {
  public:
   /// \pre The run kept its windows. Complexity: O(windows) where few of them are on one face.
   explicit WaveTree(const ExactSolver::State& state);
 
-  /// In the order of the edge, without gaps. An edge that was not reached is one part from nowhere.
+  /// In the order of the edge, without gaps. An edge that was not reached is one part without an origin.
   std::span<const EdgePart> parts(Index edge) const {
     return {parts_.data() + first_part_[edge], parts_.data() + first_part_[edge + 1]};
   }
-  /// The number of its first part; the parts of all edges are counted in the order of these.
+  /// The number of an edge's first part; parts are counted edge by edge.
   Index first_part(Index edge) const { return first_part_[edge]; }
   const EdgePart& part(Index number) const { return parts_[number]; }
 
-  /// How a vertex was reached: the edge at whose end it is in the wave that brought the shortest path, for
-  /// the sector around it that this wave has; no_index at a source and where nothing was reached.
+  /// How a vertex was reached: an edge at whose end it has the wave of its shortest path, and thus the sector
+  /// around it that this wave covers; no_index at a source and where nothing was reached.
   Index arrival(Index vertex) const { return arrivals_[vertex]; }
 
   /// A piece of the border of a face: a part of a side; or the corner where a side begins, if paths turn into
@@ -64,8 +64,8 @@ class WaveTree {
   };
   /// In order round the face.
   void border_of(Index face, std::vector<Piece>& border) const;
-  /// Between pieces of different areas is a region of lines. For each gap, that behind piece i, the one that
-  /// comes before it in the same region, going round; itself, if it is alone.
+  /// Gaps between pieces of different areas belong to regions of lines. For each gap, behind piece i, the gap
+  /// that comes before it in the same region, going round; itself, if it is alone.
   static void gaps_before(const std::vector<Piece>& border, std::vector<Index>& before);
 
  private:

@@ -18,12 +18,12 @@ namespace {
 
 /// Points settled between two reports of progress.
 constexpr std::size_t points_per_report = 4096;
-/// Relative: what a point that was settled has to be nearer by to be settled again.
+/// By how much, relative to its distance, a settled point must become nearer to be settled again.
 constexpr double gain_to_settle = 1e-9;
-/// How often a point is settled; in practice none is so often.
+/// How often a point is settled at most; in practice none is settled so often.
 constexpr std::uint8_t most_times = 100;
 
-/// Of a piece: what the waves of two points may differ by between them.
+/// By how much, as a part of a piece, the waves of its two points may differ between them.
 constexpr double spare = 0.1;
 
 }  // namespace
@@ -55,7 +55,7 @@ void WeightedSolver::reset(std::span<const ExactSource> sources, const ExactLimi
   rest_ = 0.0;
 }
 
-/// Whether the wave at a point came by way of another one.
+/// Whether the wave at a point came by way of another point.
 bool WeightedSolver::came_by(Index point, Index other) const {
   while (point != no_index && point != other) point = state_[point].from;
   return point != no_index;
@@ -79,8 +79,8 @@ void WeightedSolver::reach(Index point, const Arrival& arrival) {
   state.face = arrival.face;
   state.bends = arrival.bends;
   state.source = arrival.source;
-  // Not with the bound of the rest of a path added (A*): bounds jump from patch to patch, and points behind a
-  // jump would be settled too early.
+  // The key leaves out the bound of the rest of a path, unlike A*: bounds jump from patch to patch, and
+  // points behind a jump would be settled too early.
   queue_.push(point, arrival.distance);
 }
 
@@ -137,7 +137,7 @@ void WeightedSolver::run(std::span<const ExactSource> sources, const ExactLimits
   std::size_t settled = 0;
   const auto settle_point =
       mesh().has_drifts() ? &WeightedSolver::settle<true> : &WeightedSolver::settle<false>;
-  // This loop ends: each point is settled so often at most, and waits only with distances that decrease.
+  // This loop ends: a point is settled `most_times` at most, and waits only with decreasing distances.
   while (!queue_.empty()) {
     const auto [distance, point] = queue_.first();
     if (!limits.targets.empty() && is_final(limits, distance - norms_->longest_piece())) {
@@ -204,7 +204,7 @@ void WeightedSolver::run_along(Index edge, Index from, Index to) {
   const double part = norms_->piece(edge, std::min(from, to));
   const double length = norms_->edge_cost(edge) * part;
   const double sign = to > from ? 1.0 : -1.0;
-  // Waves that run along an edge are as of a vertex at its end, or plane ones.
+  // Waves that run along an edge come from a vertex at its end, or are plane.
   const bool is_running = sign * own.slope >= 1.0;
   const double radius = norms_->is_vertex(point) ? 0.0 : is_running ? own.radius : unreachable;
   const double step = one_way ? norms_->along(edge, sign * part) : length;
@@ -219,8 +219,7 @@ Index WeightedSolver::nearest_source(Index vertex) const {
   return distance(vertex) == unreachable ? no_index : state_[vertex].source;
 }
 
-// ---- What of a run is not needed: points beyond the limit or outside the corridor, and all after its
-// targets
+// ---- Where a run ends: at the limit, outside the corridor, and once all targets are final
 
 /// A lower bound of the rest of a path to the corridor's target.
 double WeightedSolver::least_rest_at(Index vertex) const {
@@ -241,8 +240,8 @@ double WeightedSolver::least_rest(Index point) const {
   return std::max({0.0, at_first - norms_->along(edge, t), at_second - norms_->along(edge, t - 1.0)});
 }
 
-/// Whether a point is so far beyond the limit that no distance within it depends on this one. Faces are
-/// crossed from between two points of an edge, of which one may be farther than what is reached from them.
+/// Whether a point is so far beyond the limit that no distance within it depends on the point. Faces are
+/// crossed from between two points of an edge, one of which may be farther than what is reached from them.
 bool WeightedSolver::is_beyond_limit(Index point) const {
   const double through = state_[point].distance + rest_;
   if (through <= max_distance_) return false;
@@ -264,15 +263,15 @@ bool WeightedSolver::is_beyond_limit(Index point) const {
   return !(through - longest <= max_distance_);
 }
 
-/// Whether all targets, and that of the corridor, have distances of at most `bound`, of which none is final
-/// beyond.
+/// Whether all targets, and that of the corridor, have distances of at most `bound`, up to which distances
+/// are final.
 bool WeightedSolver::is_final(const ExactLimits& limits, double bound) {
   while (final_targets_ < limits.targets.size()) {
     if (!(state_[limits.targets[final_targets_]].distance <= bound)) return false;
     ++final_targets_;
   }
   while (final_edge_targets_ < limits.edge_targets.size()) {
-    // Its distance is at most that of the points beside it, and made of theirs.
+    // A target is as final as the two points beside it.
     const EdgePoint& target = limits.edge_targets[final_edge_targets_];
     const double length = norms_->edge_cost(target.edge);
     const double share = length > 0.0 ? target.position / length : 0.0;
@@ -283,7 +282,7 @@ bool WeightedSolver::is_final(const ExactLimits& limits, double bound) {
     ++final_edge_targets_;
   }
   if (!has_corridor_ || corridor_point_.is_vertex()) return true;
-  // Points between the corners of its face may be settled after these. Its distance only decreases.
+  // Points between the corners of its face may be settled after the corners. Its distance only decreases.
   if (!(corridor_distance_ < unreachable)) {
     corridor_distance_ = best_step(corridor_point_).distance;
   }
@@ -292,10 +291,10 @@ bool WeightedSolver::is_final(const ExactLimits& limits, double bound) {
 
 // ---- Crossing of many faces that have next to no width
 
-/// Crosses a face of a thin fan, from a point of a side to those of the other sides: the way runs along
-/// whichever of both sides is cheaper and then straight across. It is a real one, from no source placed in
-/// the plane: waves that are not quite as flat as they should be would bring distances down by a little in
-/// each face of the fan, again and again.
+/// Crosses a face of a thin fan, from a point of a side to the points of the other sides: straight, or along
+/// the cheaper of the two sides and then straight across. Such a path is a real one, not from a source placed
+/// in the plane: waves that are not quite as flat as they should be would shorten distances a little in each
+/// face of the fan, again and again.
 void WeightedSolver::cross_thin(Index halfedge, Index from) {
   const EdgeFrame frame = norms_->frame(halfedge);
   const Index edge = mesh().edge_of(halfedge);
@@ -304,7 +303,7 @@ void WeightedSolver::cross_thin(Index halfedge, Index from) {
   const double at = norms_->fraction(edge, from) * frame.length;
   auto rate_of = [](double cost, double length) { return length > 0.0 ? cost / length : 1.0; };
   const double rate = rate_of(norms_->edge_cost(edge), frame.length);
-  // Costs are those less the face's drift, which is the same on every way between two points.
+  // Costs here leave out the face's drift, which is the same on every path between two points.
   for (const Index side : {Mesh::next_in_face(halfedge), Mesh::previous_in_face(halfedge)}) {
     const Index other = mesh().edge_of(side);
     const Index last = norms_->points_on(other) + 1;
@@ -350,7 +349,7 @@ void WeightedSolver::cross_thin(Index halfedge, Index from) {
 
 // ---- From a vertex, from a point of a side, and from between two of them, into a face
 
-/// The wave at a point of an edge. That of a vertex runs along.
+/// The wave at a point of an edge; that of a vertex at the edge's end runs along the edge.
 template <bool one_way>
 EdgeWave WeightedSolver::wave_at(Index edge, Index k) const {
   const PointState& state = state_[norms_->point(edge, k)];
@@ -361,7 +360,7 @@ EdgeWave WeightedSolver::wave_at(Index edge, Index k) const {
   return {state.distance, state.slope, state.radius, drift};
 }
 
-/// For which parts of a piece, from a point of an edge to the next, the waves of both are good.
+/// The parts of a piece, from a point of an edge to the next, for which the waves of these points are good.
 template <bool one_way>
 WaveParts WeightedSolver::parts_of(Index edge, Index first) const {
   return wave_parts(wave_at<one_way>(edge, first), wave_at<one_way>(edge, first + 1),
@@ -402,7 +401,7 @@ void WeightedSolver::cross_from_vertex(Index corner) {
   }
 }
 
-/// Into all faces of an edge but the one that the wave came through.
+/// Crosses all faces of an edge but the one that the wave came through.
 template <bool one_way>
 void WeightedSolver::cross_from(Index edge, Index from) {
   mesh().for_each_halfedge(edge, [&](Index h) {
@@ -421,7 +420,7 @@ bool WeightedSolver::passes(Index point, Index face) const {
   return state.face != face || state.bends || std::abs(state.slope) >= 1.0;
 }
 
-/// Crosses a face from a point of a side and what lies between it and those beside it, to the points of the
+/// Crosses a face from a point of a side, and from between it and the points beside it, to the points of the
 /// other two sides.
 template <bool one_way>
 void WeightedSolver::cross(Index halfedge, Index from) {
@@ -499,7 +498,7 @@ void WeightedSolver::cross(Index halfedge, Index from) {
     const Index first = std::min(from, beside);
     const double begin = place(first);
     const double end = place(first + 1);
-    if (!is_settled(beside)) continue;  // then from there
+    if (!is_settled(beside)) continue;  // the face is then crossed when that point is settled
     const WaveParts parts = parts_of<one_way>(edge, first);
     Rays until{-1.0, -1.0};
     Rays then{-1.0, -1.0};
@@ -509,7 +508,7 @@ void WeightedSolver::cross(Index halfedge, Index from) {
     fan(first, until.last, then.first);
     fan(first + 1, until.last, then.first);
   }
-  // To those farther along, it costs no more along the side.
+  // Points farther along the other sides are reached along the side at no greater cost.
   if (own_enters && is_flat) {
     across.for_each_beside(place(from - 1), place(from + 1), [&](Index number) { start(from, number); });
   }
@@ -519,7 +518,7 @@ void WeightedSolver::cross(Index halfedge, Index from) {
 
 namespace {
 
-/// Of a distance: what rounding leaves.
+/// Relative rounding of a distance.
 constexpr double same_distance = 1e-12;
 
 }  // namespace
@@ -654,15 +653,16 @@ Index WeightedSolver::nearest_source(const EdgePoint& point) const {
 
 namespace {
 
-/// Of what the waves of two neighbouring points disagree on. On eight meshes, the expected error is 2.3 to 10
-/// times the mean one against a converged field with costs in order, and .4 to 1.2 times it with random ones.
+/// The expected error, as a part of what the waves of two neighbouring points disagree on. On eight meshes,
+/// it is 2.3 to 10 times the mean one against a converged field with costs in order, and .4 to 1.2 times it
+/// with random ones.
 constexpr double error_per_disagreement = 1.0 / 6.0;
-/// Of the points that were reached, about so many are looked at, of which the vertices are a sample.
+/// About so many of the points that were reached are looked at; the vertices among them are the sample.
 constexpr std::size_t sampled_points = 8192;
 
 }  // namespace
 
-/// Between a point of an edge and those beside it, where no two ways meet: then the shorter is right.
+/// What the waves of a point and its neighbours disagree on; 0 where paths meet: the shorter is right.
 double WeightedSolver::disagreement_at(Index point) const {
   if (norms_->is_vertex(point)) return 0.0;
   const Index edge = norms_->edge_of(point);
@@ -691,7 +691,7 @@ double WeightedSolver::expected_error() {
     if (!norms_->is_vertex(vertex) || !(state_[vertex].distance <= max_distance_)) continue;
     ++count;
     if (!(state_[vertex].distance > 0.0)) continue;
-    // No wave came by way of its own point.
+    // This loop ends: no wave came by way of its own point.
     Index at = state_[vertex].from;
     for (; at != no_index && state_[at].error < 0.0f; at = state_[at].from) chain.push_back(at);
     double error = at != no_index ? state_[at].error * state_[at].distance : 0.0;
@@ -709,7 +709,7 @@ double WeightedSolver::expected_error() {
 
 namespace {
 
-/// The edge on which a point lies, of those that end at a vertex.
+/// Of the edges that end at a vertex, the one on which a point lies.
 Index edge_under(const Mesh& mesh, const SurfacePoint& point, Index vertex) {
   Index found = no_index;
   for_each_face_at(mesh, point, [&](Index face, const std::array<double, 3>& weights) {
@@ -751,7 +751,7 @@ void WeightedSolver::go_back_bent(Index point, CrossingPath& path) const {
       return std::clamp(weights[base] * frame.length + weights[apex] * frame.apex_x, 0.0, frame.length);
     };
     const double shift = x_of(here_weights) - x_of(from_weights);
-    // Less the face's drift, which is the same on every way.
+    // The face's drift is left out, as it is the same on every path.
     const double along =
         std::abs(shift) * norms_->edge_cost(mesh().edge_of(h)) / frame.length - shift * frame.shift;
     for (const bool before : {true, false}) {
@@ -794,7 +794,7 @@ Index WeightedSolver::go_back(Index point, CrossingPath& path) const {
   return state.from;
 }
 
-/// The distance where a path is that a point's wave leads on, with a little to spare between points.
+/// The distance at the end of a path by the wave of `point`, with a little to spare between points.
 double WeightedSolver::estimate_at(const PathJoint& here, Index point) const {
   const double distance = state_[point].distance;
   if (norms_->is_vertex(point)) return distance * (1.0 + same_distance);
@@ -809,7 +809,7 @@ double WeightedSolver::estimate_at(const PathJoint& here, Index point) const {
          (shift != 0.0 ? spare * std::max(norms_->piece(edge, k - 1), norms_->piece(edge, k)) * cost : 0.0);
 }
 
-/// \return the point whose wave leads on; no_index at the source.
+/// Goes a step back. \return the point whose wave leads on; no_index at the source.
 Index WeightedSolver::follow(const BackStep& step, CrossingPath& path) const {
   if (step.source != no_index) {
     path.go_to({sources_[step.source].point}, step.face, step.edge);
@@ -826,8 +826,8 @@ SurfacePath WeightedSolver::path_to_source(const SurfacePoint& target) const {
   if (within_limit(last.distance) == unreachable) return {.points = {}, .length = unreachable};
   CrossingPath path(*norms_, end);
   Index point = end.is_vertex() ? end.vertex : follow(last, path);
-  // This loop ends: the best step as of all waves around leads to a point that is nearer than all before.
-  // Where there is none, the point's own wave leads on, and no wave came by way of its own point.
+  // This loop ends: the best step of all waves around leads to a point nearer than all before. Where there is
+  // none, the path goes back by the point's own wave, and no wave came by way of its own point.
   double least = unreachable;
   while (point != no_index) {
     checkpoint();

@@ -15,11 +15,11 @@ namespace vorogeo {
 
 /// The weighted region problem on a surface: shortest paths refract at edges and run along cheap ones.
 ///
-/// Points on edges (Lanthier, Maheshwari, Sack 2001; Aleksandrov, Maheshwari, Sack 2005) are settled in
-/// order of distance, again where a nearer way is found late. Each knows the wave that reached it: its
-/// direction and its curvature, as of a source in the plane. So a face is crossed not from points but from
-/// all of a side, and distances between two points have an error of third order in the space between them.
-/// Its functions are those of ExactSolver, for any metric. One object belongs to one thread.
+/// Points on edges (Lanthier, Maheshwari, Sack 2001; Aleksandrov, Maheshwari, Sack 2005) are settled in order
+/// of distance, and again where a shorter path is found late. Each knows the wave that reached it: its
+/// direction and its curvature, as of a source in the plane. So a face is crossed from all of a side, not
+/// only from its points, and distances between two points have an error of third order in their spacing. Its
+/// functions are those of ExactSolver, for any metric. One object belongs to one thread.
 class WeightedSolver {
  public:
   explicit WeightedSolver(std::shared_ptr<const FaceNorms> norms);
@@ -41,11 +41,11 @@ class WeightedSolver {
   double distance(const EdgePoint& point) const;
   /// Which source (index into the list given to run) a vertex belongs to; no_index if unreachable.
   Index nearest_source(Index vertex) const;
-  /// And a point of an edge.
+  /// The same for a point of an edge.
   Index nearest_source(const EdgePoint& point) const;
 
-  /// Of the distances of the vertices that the last run has reached, relative, in the mean: what the waves of
-  /// neighbouring points disagree on is of the order of the error of a crossing between them, and adds up
+  /// The expected relative error, in the mean over the vertices that the last run has reached: what the waves
+  /// of neighbouring points disagree on is of the order of the error of a crossing between them, and adds up
   /// along each path.
   double expected_error();
 
@@ -64,9 +64,9 @@ class WeightedSolver {
   struct Arrival {
     double distance = unreachable;
     Index source = no_index;
-    Index from = no_index;  ///< the point whose wave it is; no_index: the source's own
-    Index face = no_index;  ///< that was crossed last; no_index: along its edge
-    double slope = 0.0;     ///< as of EdgeWave
+    Index from = no_index;  ///< the point whose wave arrives; no_index: the source's own
+    Index face = no_index;  ///< the face crossed last; no_index: along its edge
+    double slope = 0.0;     ///< see EdgeWave
     double radius = 0.0;
     bool bends = false;  ///< runs along a side of the face before or after it
   };
@@ -74,12 +74,12 @@ class WeightedSolver {
     double distance = unreachable;
     double slope = 0.0;
     double radius = 0.0;
-    float error = -1.0f;  ///< expected of the waves from it, relative; below 0: not known
+    float error = -1.0f;  ///< expected relative error of the waves from it; below 0: not known
     Index from = no_index;
     Index face = no_index;
     Index source = no_index;
     bool bends = false;
-    std::uint8_t settled = 0;  ///< times
+    std::uint8_t settled = 0;  ///< how often
   };
   /// Where the last piece of a path to a point of a face comes from.
   struct BackStep {
@@ -89,7 +89,7 @@ class WeightedSolver {
     double fraction = 0.0;          ///< here, from the edge's first vertex;
     Index face = no_index;          ///< it crosses this face; no_index: it runs along the edge
     Index from = no_index;          ///< the point whose wave it is
-    Index flat_face = no_index;     ///< of no width, if that point is its apex, at the same place of the edge
+    Index flat_face = no_index;     ///< of no width, if that point is its apex, in the same place of the edge
   };
 
   void reset(std::span<const ExactSource> sources, const ExactLimits& limits);
@@ -125,7 +125,7 @@ class WeightedSolver {
   bool passes(Index point, Index face) const;
   BackStep step_into(Index face, const std::array<double, 3>& weights, double below) const;
   BackStep step_along(Index edge, double fraction, double below) const;
-  /// `below`: the point whose wave it is has a smaller distance.
+  /// `below`: only the waves of points with a smaller distance than this are considered.
   BackStep best_step(const SurfacePoint& point, double below = unreachable) const;
   Index go_back(Index point, CrossingPath& path) const;
   Index follow(const BackStep& step, CrossingPath& path) const;
@@ -139,7 +139,7 @@ class WeightedSolver {
   std::vector<PointState> state_;
   std::vector<Index> touched_;
   std::vector<ExactSource> sources_;
-  std::vector<Index> face_sources_;  ///< numbers of those that are no vertices
+  std::vector<Index> face_sources_;  ///< numbers of the sources that are no vertices
   DistanceQueue queue_;              ///< of points to be settled
 
   // Limits of the last run.
@@ -149,12 +149,12 @@ class WeightedSolver {
   bool has_corridor_ = false;
   Point corridor_at_{};
   SurfacePoint corridor_point_;             ///< its target
-  double corridor_distance_ = unreachable;  ///< of that, when all targets were final
+  double corridor_distance_ = unreachable;  ///< of the target, when all targets were final
   std::size_t final_targets_ = 0;
   std::size_t final_edge_targets_ = 0;
   double settled_distance_ = unreachable;
   double barrier_distance_ = unreachable;
-  double rest_ = 0.0;  ///< lower bound of the rest of a path from the point that is settled
+  double rest_ = 0.0;  ///< lower bound of the rest of a path from the point being settled
 };
 
 }  // namespace vorogeo
