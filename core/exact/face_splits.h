@@ -11,8 +11,8 @@
 
 namespace vorogeo {
 
-/// The same surface with some sources as vertices. So what is nearest to one of them crosses edges, even
-/// where it lies within a single face.
+/// The same surface with some sources as vertices, so that the region nearest to one of them crosses edges,
+/// even where it lies within a single face.
 class SplitAtSources {
  public:
   /// Splits faces at the sources inside them; `inside`: the numbers of these sources.

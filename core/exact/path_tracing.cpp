@@ -190,8 +190,8 @@ struct Slack {
   double relative;
   double mean_edges;
 };
-/// First by ordinary rounding, then by that of long edges and of nearly degenerate faces, finally by any
-/// amount, so that there is a path.
+/// First ordinary rounding, then that of long edges and of nearly degenerate faces, finally any amount, so
+/// that there is a path.
 constexpr Slack slacks[] = {
     {0.5 * path_tolerance, 0.0}, {0.5 * path_tolerance, 1e-14}, {1e-6, 1e-14}, {unreachable, 0.0}};
 

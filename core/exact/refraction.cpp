@@ -309,7 +309,7 @@ double refract(std::span<const PathPiece> pieces, std::vector<double>& crossing)
 
 namespace {
 
-/// Relative: the cost of an edge is that of one of its faces up to rounding.
+/// The cost of an edge is that of one of its faces up to this relative rounding.
 constexpr double same_cost = 1e-9;
 
 /// How far beside its point, as a part of its radius, a wave that has entered a dearer face is that of one

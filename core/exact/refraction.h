@@ -184,8 +184,8 @@ struct RayAtEdge {
 /// for the plane waves behind edges that are run along.
 double refracted_radius(double radius, const RayAtEdge& ray, bool into_face);
 
-/// What is known of distances near a point of an edge: value, first and second derivative, as of one source
-/// in the plane of its cheapest face.
+/// What is known of distances near a point of an edge: value, first and second derivative, as if from one
+/// source in the plane of the edge's cheapest face.
 struct EdgeWave {
   double distance = unreachable;
   double slope = 0.0;   ///< along the edge, per unit of its cost: -1 to 1

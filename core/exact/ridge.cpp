@@ -164,7 +164,7 @@ class LineGraph {
     }
   }
 
-  /// A vertex belongs to the sector that it was reached through, and to those of paths that turn there.
+  /// Marks the sectors of a vertex: the one through which it was reached, and those of paths that turn there.
   void mark_own() {
     for (const Index corner : corners_) is_own_[sectors_.root(at_corner(corner))] = 1;
     for (Index v = 0; v < mesh_.vertex_count(); ++v) {
@@ -307,7 +307,7 @@ class LineGraph {
   std::vector<std::uint8_t> is_own_;  ///< by root of a sector
   std::vector<Index> corners_;        ///< the corners that are pieces of a border
   std::vector<bool> has_leaf_;        ///< by vertex
-  std::vector<Index> vertex_of_;      ///< by node behind those of parts
+  std::vector<Index> vertex_of_;      ///< by node at a vertex
   std::vector<Index> kept_;           ///< nodes where lines may end
   std::unordered_map<Index, Index> node_of_run_;
   std::vector<Meeting> meetings_;

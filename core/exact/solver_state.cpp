@@ -21,9 +21,9 @@ constexpr double sector_tolerance = 2e-5;
 /// Where on the way to the nearest opposite edge the front is when a flat vertex lights its sector.
 constexpr double before_next_edge = 0.99;
 
-/// How far behind a piece of a segment its pseudo-source lies, in lengths of the piece: the wave of such a
-/// source lags behind the segment's by an eighth of the piece over this, and distances to it are rounded to
-/// so many units in the last place.
+/// How far behind a piece of a segment its pseudo-source lies, in lengths of the piece: the wave of the
+/// source lags behind the segment's by up to an eighth of the piece over this, and distances to the source
+/// are rounded to this many units in the last place.
 constexpr double far_behind = 1e5;
 /// The part by which its offset is smaller, so that no rounding makes a distance negative.
 constexpr double behind_rounding = 1e-15;

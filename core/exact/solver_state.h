@@ -281,10 +281,9 @@ struct ExactSolver::State {
   }
   /// Finds where the corridor's target lies relative to the open edge (solver_state.cpp).
   void look_at_target();
-  /// Lower bound of the straight rest of a path from a window of that edge, with the window's distance.
+  /// Lower bound of the length of a path through a window of the open edge and then straight to the target.
   double straight_through(const Window& window) const;
-  /// Lower bound of the length of a path through a window of that edge to the target: the least over the
-  /// window's points.
+  /// The same by all bounds of the rest of the path: the least over the window's points.
   double length_through(const Window& window) const;
   /// Whether such a path can be within the bound of the corridor.
   bool in_corridor(double length_to_target) const {
@@ -297,7 +296,7 @@ struct ExactSolver::State {
     for (const Index corner : mesh.corners(vertex)) {
       if (!may_enter(Mesh::face_of(corner))) continue;
       visit(corner);
-      // The other edge of the corner is that of the next one, unless that is turned over or missing.
+      // The corner's other edge belongs to the next corner, too, unless that is turned over or missing.
       const Index other = Mesh::previous_in_face(corner);
       const Index beside = mesh.next_around_edge(other);
       if (beside == other || mesh.tail(beside) != vertex || !may_enter(Mesh::face_of(beside))) visit(other);
@@ -354,8 +353,8 @@ struct ExactSolver::State {
   struct PassedPoint {
     double x;
     double distance;
-    bool before;  ///< its rays go to the side of the edge's first vertex as well,
-    bool behind;  ///< and to that of the second
+    bool before;  ///< its rays go to the side of the edge's first vertex, too
+    bool behind;  ///< its rays go to the side of the edge's second vertex, too
   };
   std::unordered_map<Index, std::vector<PassedPoint>> points_passed;  ///< by the half-edge of entry
   /// Merges neighbouring windows of `crossing` where merge_tolerance allows it (solver_state.cpp).

@@ -46,7 +46,7 @@ WaveTree::WaveTree(const ExactSolver::State& state)
   for (const Index f : checked(mesh_.face_count())) lay_side_by_side(f);
 }
 
-// ---- The parts of an edge: its windows, and what is nearest along it
+// ---- The parts of an edge: its windows, and between them paths along the edge
 
 /// A place on an edge from which paths go along it, and its distance.
 struct WaveTree::Cone {
@@ -433,7 +433,7 @@ void WaveTree::gaps_before(const std::vector<Piece>& border, std::vector<Index>&
   for (Index i = 0; i < count; ++i) before[i] = previous[(i + 1) % count];
 }
 
-/// Whether areas, given by those of the pieces of a border in order, lie side by side.
+/// Whether the areas of the pieces of a border, in order, lie side by side without crossing.
 static bool are_side_by_side(const std::vector<Origin>& areas, std::vector<std::pair<Origin, Index>>& count) {
   count.clear();
   for (const Origin& area : areas) count.emplace_back(area, 0);

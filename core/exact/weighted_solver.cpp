@@ -195,7 +195,7 @@ void WeightedSolver::settle_vertex(Index vertex) {
   }
 }
 
-/// Along an edge, from one of its points to the one beside it.
+/// Runs along an edge, from one of its points to the one beside it.
 template <bool one_way>
 void WeightedSolver::run_along(Index edge, Index from, Index to) {
   if (from < 0 || to < 0) return;
@@ -453,7 +453,7 @@ void WeightedSolver::cross(Index halfedge, Index from) {
   struct Rays {
     double first = 0.0, last = 0.0;  ///< where they meet the other sides
   };
-  // The wave of point k where it passes between two places of the side, the first one lower.
+  // Sends the wave of point k through the part of the side from `low` to `high`.
   auto send = [&](Index k, Index other, double low, double high) {
     const FaceBeam beam = beam_from<one_way>(edge, frame, dearer, k, other, low, high);
     const double gained = one_way ? norms_->fraction(edge, k) * frame.drift : 0.0;
@@ -478,7 +478,7 @@ void WeightedSolver::cross(Index halfedge, Index from) {
     for (Index number = begin; number <= end; ++number) meet(number);
     return rays;
   };
-  // From the point itself, where no wave passes.
+  // Starts at point k itself, where no wave passes.
   auto start = [&](Index k, Index number) {
     const FaceNorms::Place source{place(k), 0.0};
     const PointAcross to = across.at(number);

@@ -17,9 +17,9 @@ namespace vorogeo {
 ///
 /// Points on edges (Lanthier, Maheshwari, Sack 2001; Aleksandrov, Maheshwari, Sack 2005) are settled in order
 /// of distance, and again where a shorter path is found late. Each knows the wave that reached it: its
-/// direction and its curvature, as of a source in the plane. So a face is crossed from all of a side, not
-/// only from its points, and distances between two points have an error of third order in their spacing. Its
-/// functions are those of ExactSolver, for any metric. One object belongs to one thread.
+/// direction and its curvature, like those of a source in the plane. So a face is crossed from all of a side,
+/// not only from its points, and distances between two points have an error of third order in their spacing.
+/// Its functions are those of ExactSolver, for any metric. One object belongs to one thread.
 class WeightedSolver {
  public:
   explicit WeightedSolver(std::shared_ptr<const FaceNorms> norms);
