@@ -1,4 +1,4 @@
-// The one exact run from point to point: within bounds, and within wider ones until nothing can be shorter.
+// Exact paths and distances of two points: a run within bounds, then wider ones until no path can be shorter.
 #include "query/between.h"
 
 #include <algorithm>
@@ -8,16 +8,16 @@ namespace vorogeo {
 
 namespace {
 
-/// Up to edges this many typical ones long, exact distances between the other vertices keep their digits.
+/// With edges up to this many times the typical one, exact distances of other vertices keep their digits.
 constexpr double provable_edges = 1e13;
 
 bool is_provable(const Mesh& mesh) {
   return !mesh.metric_jumps() && mesh.longest_edge_length() <= provable_edges * mesh.typical_edge_length();
 }
 
-/// Widens bounds within which a run did not answer, but found a path of length `found` or none. `is_wide`:
-/// whether that was done before, to more than the faces outside a mask. \return false if there were none, or
-/// they are fixed.
+/// Widens the bounds of a run that gave no answer; `found` is the length of the path it found, if any.
+/// `is_wide`: whether more than the mask was widened before. \return false if there were no bounds, or they
+/// are fixed.
 bool widen(PathBounds& bounds, double found, bool& is_wide) {
   if (bounds.is_fixed) return false;
   if (!bounds.mask.empty()) {
@@ -40,7 +40,7 @@ ExactBetween::ExactBetween(std::shared_ptr<const LocalGeometry> geometry)
 ExactBetween::ExactBetween(const IndexData& data)
     : data_(&data), geometry_(data.geometry), mesh_(*data.mesh), can_prove_(is_provable(mesh_)) {}
 
-/// \return whether what was found within the bounds is the shortest of all: no path can have left the mask.
+/// \return whether the path found within the bounds is the shortest: no shorter one can leave the mask.
 bool ExactBetween::run(const SurfacePoint& from, const SurfacePoint& to, const PathBounds& bounds,
                        bool for_path) {
   if (!solver_) solver_.emplace(geometry_);
@@ -54,7 +54,8 @@ bool ExactBetween::run(const SurfacePoint& from, const SurfacePoint& to, const P
   const bool jumps = mesh.metric_jumps_in(component_of(mesh, to));
   if (bounds.upper < unreachable || jumps) limits.corridor_point = &to;
   if (!for_path || jumps) {
-    // A path needs the windows that come after its end, except where bounds are too weak to end a run.
+    // To trace a path, the windows are needed that come after its end was reached; but where the metric
+    // jumps, bounds are too weak to end a run without targets.
     limits.targets =
         to.is_vertex() ? std::span(&to.vertex, 1) : std::span<const Index>(mesh.face_vertices(to.face));
   }
@@ -63,7 +64,7 @@ bool ExactBetween::run(const SurfacePoint& from, const SurfacePoint& to, const P
   return bounds.mask.empty() || solver_->distance(to) <= solver_->barrier_distance();
 }
 
-/// Over the user's mesh.
+/// The path that the last run found, over the user's mesh.
 SurfacePath ExactBetween::path_of_run(const SurfacePoint& to) const {
   SurfacePath path = solver_->path_to_source(to);
   std::ranges::reverse(path.points);

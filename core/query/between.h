@@ -1,4 +1,4 @@
-// The one exact run from point to point: within bounds, and within wider ones until nothing can be shorter.
+// Exact paths and distances of two points: a run within bounds, then wider ones until no path can be shorter.
 #pragma once
 
 #include <cstdint>
@@ -25,32 +25,32 @@ struct ExactPath {
 
 /// What an upper bound is multiplied by, since rounding may have made it too small.
 namespace slack {
-/// The length of a path. A limit that is this much wider also keeps rounding from cutting its last window.
+/// For the length of a path. A limit this much larger also keeps rounding from cutting its last window.
 inline constexpr double of_path = 1.0 + path_tolerance;
-/// A sum of two table entries; nearly always enough. A run within less is much narrower: a tenth fewer
-/// windows than at 1.001.
+/// For a sum of two table entries: nearly always enough, and a run has a tenth fewer windows than with 1.001.
 inline constexpr double of_entries = 1.0003;
-/// The length of a route through the tables.
+/// For the length of a route through the tables.
 inline constexpr double of_route = 1.001;
-/// Either where the metric jumps, since there propagated distances have errors of their own; and any bound
-/// within which nothing was found.
+/// For entries in any metric, for routes where it jumps, as propagated distances have errors of their own
+/// there, and for a bound within which no path was found.
 inline constexpr double widest = 1.01;
 }  // namespace slack
 
 /// What is known about the distance of two points before it is propagated.
 struct PathBounds {
-  double upper = unreachable;      ///< of the distance
-  std::span<const double> rest{};  ///< lower ones of the distance from `to`, by vertex of the run's surface
-  const ExactLandmarks* landmarks = nullptr;  ///< the same
+  double upper = unreachable;      ///< upper bound of the distance
+  std::span<const double> rest{};  ///< lower bounds of the distance from `to`, by vertex of the run's surface
+  const ExactLandmarks* landmarks = nullptr;  ///< give lower bounds, too
   std::span<const std::uint8_t> mask{};       ///< faces of the run's surface in which the path probably lies
   bool is_proof = true;                       ///< `rest` is certain, and not an estimate less a margin
-  bool is_fixed = false;                      ///< one run within these bounds is all, however it ends
+  bool is_fixed = false;                      ///< there is only one run, within these bounds
 };
 
-/// Exact distances and paths of two points. A run follows only what can lie on a path within the bounds. If
-/// what it found may not be the shortest, the next one goes over all faces within that length; if nothing was
-/// found, within a wider bound; and the last one has no bounds. Each run ends: the solver passes a window on
-/// only where it shortens a distance by more than rounding. One object belongs to one thread.
+/// Exact distances and paths of two points. A run follows only windows that can be part of a path within the
+/// bounds. If a path outside the mask may be shorter, the next run enters all faces within the length of the
+/// path found; if none was found, the next has a wider bound; the last has no bounds. Each run ends: the
+/// solver passes a window on only where it shortens a distance by more than rounding. One object belongs to
+/// one thread.
 class ExactBetween {
  public:
   /// On a mesh that has no index.
@@ -63,18 +63,18 @@ class ExactBetween {
   ExactPath path(const SurfacePoint& from, const SurfacePoint& to, PathBounds bounds);
   /// The distance of two vertices of the run's surface. \pre As path().
   double distance(Index from, Index to, PathBounds bounds);
-  /// A path of the user's mesh for which `distance` was propagated: made to join exactly these points where
-  /// it does so up to rounding, measured along its points where its length is not theirs, and checked.
+  /// Checks a path of the user's mesh for which `distance` was propagated. Ends that equal the two points up
+  /// to rounding are replaced by them; a length that its points do not have is replaced by the measured one.
   ExactPath checked(SurfacePath path, double distance, const SurfacePoint& from,
                     const SurfacePoint& to) const;
-  /// Whether it joins these points, however long it is.
+  /// Whether a path joins these points and has the length that it states.
   bool is_whole(const SurfacePath& path, const SurfacePoint& from, const SurfacePoint& to) const;
   /// Whether a distance propagated within certain bounds is a proof on this mesh.
   bool can_prove() const { return can_prove_; }
 
-  /// Some second-layer patches of the index and a halo around them. A mask is valid until the next one.
+  /// Mask of some second-layer patches of the index and a halo around them, valid until the next mask.
   std::span<const std::uint8_t> mask_around(std::span<const Index> patches);
-  /// Some faces of its inner surface and so many rings of faces around them.
+  /// Mask of some faces of its inner surface and so many rings of faces around them.
   std::span<const std::uint8_t> mask_beside(std::span<const Index> faces, int rings);
 
  private:
@@ -89,7 +89,7 @@ class ExactBetween {
   std::shared_ptr<const LocalGeometry> geometry_;
   const Mesh& mesh_;  ///< the user's
   bool can_prove_;
-  std::optional<LocalSolver> solver_;  ///< when first needed
+  std::optional<LocalSolver> solver_;  ///< made when first needed
   std::optional<Halo> halo_;           ///< likewise
 };
 

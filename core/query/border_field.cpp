@@ -16,12 +16,12 @@ namespace vorogeo {
 
 namespace {
 
-/// In typical border edges of the layer: a border edge from which on it is unfolded for all members.
+/// Border edges at least this many typical ones of the layer long are unfolded for all members.
 constexpr double long_border_edge = 2.0;
 
 static_assert(Crossings::capacity == PatchLayer::tile_width);
 
-/// Where one of several paths crosses: at a row, or on the edge to one beside it. `nodes`: by row.
+/// Where path `k` crosses the border: at the node of `row`, or on the edge to a neighbour. `nodes`: by row.
 BorderCrossing place_of(const Crossings& crossings, Index k, double lowest, Index row,
                         const BesideNode& beside, std::span<const Index> nodes) {
   BorderCrossing at{nodes[row]};
@@ -34,7 +34,7 @@ BorderCrossing place_of(const Crossings& crossings, Index k, double lowest, Inde
 
 }  // namespace
 
-/// By row in row_: where the sum of border distance and entry is least.
+/// Writes into row_, for each column, the row at which the sum of border distance and entry is least.
 void FieldSweep::find_rows(const PatchLayer& layer, Index patch, Index column, int count) {
   const Index rows = layer.border_size(patch);
   const TableScale scale = layer.scale[patch];
@@ -155,7 +155,7 @@ std::span<const double> FieldSweep::sweep(const PatchLayer& layer, const BorderD
     above_[row] = static_cast<float>(border.distance[nodes[row]] - lowest_);
   }
   const TableScale scale = layer.scale[patch];
-  // Not on graded scales, and not where an entry may be infinite.
+  // Entries can be added as integers neither on graded scales nor where one may be infinite.
   in_integers_ =
       layer.complete[patch] != 0 && !scale.is_graded() && rows <= std::numeric_limits<std::int16_t>::max();
   if (in_integers_) base_.resize(rows);
@@ -174,7 +174,7 @@ std::span<const double> FieldSweep::sweep(const PatchLayer& layer, const BorderD
         [&](Index node) { return border.distance[node]; },
         [&](Index node) { return border.predecessor[node]; }, long_edges_);
   }
-  // Tiles begin among the border nodes, which keep their own distances.
+  // The first tile may begin with border nodes, which get their own distances below.
   const Index begin = rows / width_of(layer.order) * width_of(layer.order);
   for (Index column = begin; column < columns; column += Crossings::capacity) {
     const int count = std::min(Crossings::capacity, columns - column);
@@ -194,10 +194,10 @@ std::span<const double> FieldSweep::sweep(const PatchLayer& layer, const BorderD
 
 namespace {
 
-/// In typical border edges of the layer: a border edge from which on it is unfolded for all nodes of a patch.
-/// Shorter ones than for the other members, as errors of nodes are passed on.
+/// Border edges at least this many typical ones of the layer long are unfolded for all nodes of a patch: also
+/// shorter ones than for other members, as errors of nodes are passed on.
 constexpr double long_edge_for_nodes = 1.0;
-/// What is shorter by less is rounding of tables.
+/// A smaller gain (relative) is rounding of the tables.
 constexpr double least_repair = 1e-4;
 /// Groups of the transit table that a thread takes at a time.
 constexpr Index groups_at_once = 32;
@@ -254,12 +254,12 @@ void BorderField::reset(std::span<const Seed> seeds, double max_distance, int th
   }
 }
 
-/// In the order of distance: from the predecessor, or where that follows, as at equal distances and where
-/// tables contradict each other, from the best of those that are known. What had none of them before it takes
-/// one behind it.
+/// Nodes get their first legs in the order of distance: from the predecessor, or where that comes later, as
+/// at equal distances and where tables contradict each other, from the best node whose leg is known. A second
+/// pass serves nodes before which no leg was known.
 void BorderField::find_search_legs(std::span<const Seed> seeds) {
   search_leg_.assign(data_.second.node_count(), no_leg);
-  // A seed's own holds unless a path from another seed is shorter by more than tables err.
+  // A seed's own leg holds unless a path from another seed is shorter by more than tables err.
   for (const Seed& seed : seeds) {
     if (search_.distance(seed.node) >= NearField::shorter_outside * seed.distance)
       search_leg_[seed.node] = seed.first_leg;
@@ -278,7 +278,8 @@ void BorderField::find_search_legs(std::span<const Seed> seeds) {
   }
 }
 
-/// Of the node of its patches with the least sum, among those whose leg is known; NaN if none is.
+/// The first leg of the border node with the least sum, among those of the node's patches whose leg is known;
+/// NaN if none is.
 double BorderField::leg_beside(Index node) const {
   const PatchLayer& layer = data_.second;
   double least = unreachable, leg = no_leg;
@@ -319,11 +320,11 @@ void BorderField::cross_long_edges(Index patch) {
   for (std::vector<float>& line : beyond_) line.resize(count);
   for (const LongBorderEdge& edge : long_edges_) {
     const Index ends[] = {nodes[edge.end[0].row], nodes[edge.end[1].row]};
-    // Another edge may have reached them through the patch meanwhile.
+    // Meanwhile another edge may have reached the ends through the patch.
     if (distance(ends[0]) == unreachable || distance(ends[1]) == unreachable) continue;
     for (int i : {0, 1}) layer.read_border(patch, edge.end[i].row, beyond_[i].data());
     for (Index column = 0; column < count; ++column) {
-      // True of nearly all.
+      // This excludes nearly all columns.
       if (edge.is_beyond(most_[column], beyond_[0][column], beyond_[1][column])) continue;
       const Index node = nodes[column];
       if (node == ends[0] || node == ends[1]) continue;

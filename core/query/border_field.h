@@ -41,9 +41,9 @@ struct LongBorderEdge {
     double distance = unreachable;
     Index row = no_index;  ///< the end over which the sum is less
   };
-  /// The distance of a member across the edge where that is less than `most`; unreachable if not, or if, as
-  /// seen from either end, both neighbours belong to different paths. target(row): the member's distance from
-  /// a border node of the patch, infinite where there is none.
+  /// The distance of a member across the edge where that is less than `most`; unreachable if not, or if at
+  /// neither end both border neighbours can belong to one path. target(row): the member's distance from a
+  /// border node of the patch, infinite where there is none.
   template <class Target>
   Crossing across(double most, const Target& target) const {
     const double targets[] = {target(end[0].row), target(end[1].row)};
@@ -56,7 +56,7 @@ struct LongBorderEdge {
   }
 
  private:
-  /// Whether both neighbours of an end may belong to one path, as at any crossing.
+  /// Whether both border neighbours of an end can belong to one path, as at any crossing.
   template <class Target>
   bool is_one_path(int at, const double (&targets)[2], const Target& target) const {
     const End& from = end[at];
@@ -108,8 +108,8 @@ inline constexpr double no_leg = std::numeric_limits<double>::quiet_NaN();
 
 /// Angles at the source at which the shortest paths to the border nodes of a layer begin (first legs).
 struct FirstLegs {
-  /// Legs that differ by more than this part of a full turn belong to paths that pass something on both
-  /// sides; between others, they change evenly.
+  /// Legs that differ by more than this part of a full turn belong to paths on different sides of something;
+  /// between others, they are interpolated.
   static constexpr double one_wave = 1.0 / 24.0;
 
   std::span<const double> of_node;  ///< NaN where there is none; empty if they are not wanted
@@ -120,14 +120,14 @@ struct FirstLegs {
     const double turn = std::remainder(to - from, full_turn);
     return std::abs(turn) < one_wave * full_turn ? turn : 0.0;
   }
-  /// Of the path over a crossing.
+  /// The first leg of the path over a crossing.
   double across(const BorderCrossing& at) const {
     const double leg = of_node[at.node];
     return at.beside == no_index ? leg : leg + at.part * difference(leg, of_node[at.beside], full_turn);
   }
 };
 
-/// Distances of the border nodes of a layer, and the predecessors of these.
+/// Distances of the border nodes of a layer, and their predecessors.
 struct BorderDistances {
   std::span<const double> distance;    ///< by node; unreachable where there is none
   std::span<const Index> predecessor;  ///< by node; a BoundaryDijkstra::source_name for a seed
@@ -135,21 +135,21 @@ struct BorderDistances {
 };
 
 /// The neighbours of a border node along the border that are used where paths cross there: the first two that
-/// the same wave has reached. Those that are missing are the node itself, at no length.
+/// the same wave has reached. The node itself, at length 0, stands for a missing one.
 struct BesideNode {
   Index other[2];
   float length[2];
-  int count = -1;  ///< of those found; -1: not yet looked for
+  int count = -1;  ///< of neighbours found; -1: not yet looked for
 
   void reset(Index node) { *this = {{node, node}, {0.0f, 0.0f}, 0}; }
-  /// A neighbour that was reached, and what precedes both.
+  /// Adds a neighbour that was reached; the predecessors are those of the node and of the neighbour.
   void add(Index predecessor, Index other_predecessor, Index neighbour, float edge) {
     if (count == 2 || (count == 1 && other[0] == neighbour)) return;
     if (!BoundaryDijkstra::may_share_wave(predecessor, other_predecessor)) return;
     other[count] = neighbour;
     length[count++] = edge;
   }
-  /// The crossing at the node, where source(node) and target(node) are the distances from it.
+  /// The crossing at a node; source(n) and target(n) are the distances of source and target from n.
   template <class Source, class Target>
   Crossing<float> crossing(Index node, const Source& source, const Target& target) const {
     Crossing<float> result{source(node), target(node)};
@@ -171,7 +171,7 @@ class FieldSweep {
   std::span<const double> sweep(const PatchLayer& layer, const BorderDistances& border, Index patch);
   /// After a sweep, for members that are not on the border: the row of the least sum; no_index without one.
   std::span<const Index> crossing_rows() const { return crossing_row_; }
-  /// After a sweep with legs: those of all members.
+  /// After a sweep with legs: the first legs of all members.
   std::span<const double> first_legs() const { return leg_; }
 
  private:
@@ -198,7 +198,7 @@ class FieldSweep {
 /// One object belongs to one caller; fill() may run on several threads, for different patches.
 ///
 /// A search over the second layer stays in the first-layer patches of the seeds; from their borders, the
-/// transit table leads to all first-layer nodes, even to those on the same borders by paths outside; the
+/// transit table leads to all first-layer nodes, also to those on the same borders by paths outside; the
 /// table of each first-layer patch leads to the second-layer nodes in it. Every step takes the least sum and
 /// unfolds the crossing there; the search unfolds long border edges for all nodes behind them, too.
 class BorderField {
@@ -211,9 +211,9 @@ class BorderField {
     Index wave;  ///< number of the source
     double first_leg = 0.0;
   };
-  /// Finds the distances of the first-layer nodes; those above max_distance need not be found. `threads`:
-  /// share that; they do not change the result. `full_turn`: above 0, legs are found as well, from those of
-  /// the seeds.
+  /// Finds the distances of the first-layer nodes; those above max_distance need not be found. `threads`: how
+  /// many share the work; the result does not depend on it. `full_turn`: if above 0, first legs are found as
+  /// well, from those of the seeds.
   void reset(std::span<const Seed> seeds, double max_distance, int threads = 1, double full_turn = 0.0);
   /// Finds the distances of the second-layer nodes in a first-layer patch, after reset().
   void fill(Index first_layer_patch, FieldSweep& sweep);
@@ -242,7 +242,7 @@ class BorderField {
   std::vector<double> first_distance_;
   std::vector<Index> first_predecessor_;
   std::vector<LongBorderEdge> long_edges_;
-  std::vector<double> most_;      ///< by row of a patch: what a distance over a long edge has to be less than
+  std::vector<double> most_;      ///< by row of a patch: only distances over a long edge below this count
   std::vector<float> beyond_[2];  ///< by row: distances from the ends of a long edge
   std::vector<Index> rows_;       ///< first-layer nodes around the seeds
   /// Distances of the nodes of a group, minus the lowest; infinite for nodes that are not in rows_.

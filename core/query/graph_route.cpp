@@ -7,7 +7,7 @@
 
 namespace vorogeo {
 
-/// The nodes on the borders of the first-layer patches of an end, with their distances by its seeds.
+/// Finds the nodes on the borders of an end's first-layer patches, with their distances through its seeds.
 void GraphRouter::find_accesses(int side, const RouteEnd& end) {
   const PatchLayer& first = data_.first;
   access_[side].clear();
@@ -94,7 +94,7 @@ void GraphRouter::route(const RouteEnd& source, const RouteEnd& target, GraphRou
   if (meeting_ != no_index) write(result);
 }
 
-/// Arcs in a row through one patch are one leg, as its table holds every pair of its nodes.
+/// Consecutive arcs through one patch become one leg, as its table has every pair of its border nodes.
 void GraphRouter::write(GraphRoute& result) const {
   auto go_on = [&](Index patch, Index node) {
     const Leg leg{Leg::Table::first, patch};

@@ -23,7 +23,7 @@ class GraphRouter {
   void route(const RouteEnd& source, const RouteEnd& target, GraphRoute& result);
 
  private:
-  /// A way from an end to a node on the border of its first-layer patch.
+  /// A path from an end through one of its seeds to a node on the border of its first-layer patch.
   struct Access {
     Index node;
     double distance;
@@ -35,7 +35,7 @@ class GraphRouter {
     double distance[2];
     double potential;
     Index predecessor[2];
-    Index by[2];  ///< patch of the arc from the predecessor; where there is none, the access
+    Index by[2];  ///< patch of the arc from the predecessor; without one, index into access_
     bool done[2];
   };
   struct Entry {
@@ -58,7 +58,7 @@ class GraphRouter {
   Landmarks::Row end_landmarks_[2];
   double best_ = unreachable;
   Index meeting_ = no_index;
-  std::vector<float> least_;  ///< by row, of the access distances
+  std::vector<float> least_;  ///< access distances, by row
   std::vector<Index> seed_;
 };
 

@@ -46,7 +46,7 @@ std::span<const double> IndexBounds::fill(const IndexedEnd& from, const IndexedE
       }
     }
   }
-  // In the patches around the target, and those that touch them.
+  // The index is not trusted in the patches around the target and in those that touch them.
   const auto trust_none = [&](Index patch) {
     bounded_.push_back(patch);
     for (Index v : second.members(patch)) bound_[v] = 0.0;

@@ -25,8 +25,8 @@ class IndexBounds {
  public:
   explicit IndexBounds(const IndexData& data);
 
-  /// By vertex of the inner surface; infinity where no such path can pass. Valid until the next call.
-  /// Complexity: that of the second-layer tables of the patches passed.
+  /// Bounds of the distance from `to`, by vertex of the inner surface; infinity where no such path can pass.
+  /// Valid until the next call. Complexity: that of the second-layer tables of the patches passed.
   std::span<const double> fill(const IndexedEnd& from, const IndexedEnd& to, double length);
 
  private:
@@ -35,7 +35,7 @@ class IndexBounds {
   std::vector<BorderField::Seed> seeds_;
   FieldSweep sweep_;
   std::vector<double> bound_;   ///< by place
-  std::vector<Index> bounded_;  ///< patches with bounds; some are there twice
+  std::vector<Index> bounded_;  ///< patches with bounds; some occur twice
 };
 
 }  // namespace vorogeo

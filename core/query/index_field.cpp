@@ -147,7 +147,7 @@ double IndexField::first_leg(const SurfacePoint& user) const {
     const double exact = near_.solver().distance(point);
     if (exact < unreachable && exact <= distance(user)) return near_.solver().first_leg(point);
   }
-  // As at a border: over the corner with the least sum, or the side beside it that a straight line crosses.
+  // As at a border: over the corner with the least sum, or a side at it that the straight line crosses.
   const FacePiece piece(data_.surface, point.face, point.barycentric);
   const std::array<double, 3> to_corner = distances_in_triangle(piece.length, piece.weights);
   std::array<double, 3> from_source{};

@@ -34,8 +34,8 @@ class IndexField {
   /// \throw InvalidInput for no source, a point that is not on the mesh, an offset that is negative or not
   /// finite, a max_distance that is negative or no number.
   ///
-  /// `directions`: if not null, first_leg() will be read; the frame of the only source on the inner surface.
-  /// The distances may then differ within what the index errs.
+  /// `directions`: the frame at the only source, on the inner surface, if first_leg() will be read; else
+  /// null. With it, distances may differ within the error of the index.
   void run(std::span<const ExactSource> sources, double max_distance, int threads, bool wants_labels,
            const TangentFrame* directions = nullptr);
 
@@ -45,9 +45,9 @@ class IndexField {
   /// At a vertex the same; in a face exact in the patches of the sources and around them, elsewhere computed
   /// from the distances at its corners (distance_in_triangle).
   double distance(const SurfacePoint& point) const;
-  /// The angle in the frame at which the shortest path begins; NaN where none leads. Exact in the patches
-  /// around the source; further away from where the path crosses the borders of these, in hundredths of a
-  /// degree on smooth surfaces, in tenths on rough ones.
+  /// The angle in the frame at which the shortest path begins; NaN where no path leads. Exact in the patches
+  /// around the source; farther away it follows from where the path crosses their borders, with errors of
+  /// hundredths of a degree on smooth surfaces and of tenths on rough ones.
   double first_leg(Index vertex) const;
   double first_leg(const SurfacePoint& point) const;
   /// Position of the nearest source in the list, if labels are wanted; no_index where there is none.
@@ -67,8 +67,8 @@ class IndexField {
   BorderField borders_;
   PerWorker<FieldSweep> sweeps_;
   std::vector<ExactSource> sources_;  ///< on the inner surface
-  std::vector<Index> number_;         ///< of each in the caller's list
-  std::vector<Numbered> isolated_;    ///< at vertices without a face, which the inner surface does not have
+  std::vector<Index> number_;         ///< position of each in the caller's list
+  std::vector<Numbered> isolated_;    ///< sources at isolated vertices, which the inner surface does not have
   std::vector<double> distance_;      ///< by place
   std::vector<Index> label_;          ///< by place; during the sweeps, the border node on its path
   std::vector<double> leg_;           ///< by place; empty without directions

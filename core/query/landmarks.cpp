@@ -40,7 +40,7 @@ std::shared_ptr<const ExactLandmarks> landmarks_of(const std::shared_ptr<const G
     return static_cast<Index>(farthest);
   };
   const Watch watch(progress, "Exact distances from landmarks");
-  // The first lies at an end of the surface.
+  // The first landmark is the vertex farthest from an arbitrary one: it lies at an end of the surface.
   std::vector<double> nearest = field_of(data.surface.vertex[largest_component(*data.mesh).first_vertex]);
   Index next = farthest_in(nearest);
   std::vector<std::vector<double>> fields;

@@ -9,10 +9,10 @@
 
 namespace vorogeo {
 
-/// Exact distances, on the inner surface of the index, from `count` vertices that are far
-/// from one another, all in the component with the most vertices. \throw InvalidInput for a count that is not
-/// in 1 to ExactLandmarks::max_count, Cancelled. Complexity: an exact field for each, on `threads` threads
-/// (0: one per core).
+/// Exact distances, on the inner surface of the index, from `count` vertices that are far from one another,
+/// all in the component with the most vertices. \throw InvalidInput for a count that is not in 1 to
+/// ExactLandmarks::max_count, Cancelled. Complexity: an exact field for each, on `threads` threads (0: one
+/// per core).
 std::shared_ptr<const ExactLandmarks> landmarks_of(const std::shared_ptr<const GeodesicIndex>& index,
                                                    int count, int threads = 0, const Progress& progress = {});
 

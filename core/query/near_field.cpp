@@ -1,4 +1,4 @@
-// One bounded run of the solver.
+// The bounded runs of the solver around the sources of a field.
 #include "query/near_field.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ void NearField::add(Index patch) {
   is_near_[patch] = 1;
 }
 
-/// Adds the patches of the faces at a point, and those just behind a border beside it.
+/// Adds the patches of the faces at a point, and those just behind a border close to it.
 void NearField::add_at(const SurfacePoint& point) {
   const Mesh& mesh = *data_.surface.mesh;
   for_each_face_at(mesh, point, [&](Index face, const std::array<double, 3>& weights) {
@@ -30,7 +30,7 @@ void NearField::add_at(const SurfacePoint& point) {
       const Index own = 3 * face + i;
       const auto [first, last] = data_.surface.places_inside(mesh.edge_of(own));
       const double length = mesh.side_length(own) / (1.0 + last - first);
-      // The faces at a side that the point is on are visited themselves.
+      // If the point is on the side, the faces behind it are visited themselves.
       if (!(weights[(i + 2) % 3] > 0.0)) continue;
       if (weights[(i + 2) % 3] * twice_area >= near_border_edge * length * mesh.side_length(own)) continue;
       for (Index h = mesh.next_around_edge(own); h != own; h = mesh.next_around_edge(h)) {
@@ -52,7 +52,7 @@ void NearField::solve(std::span<const ExactSource> sources, double max_distance,
   certain_ = std::min(solver_.settled_distance(), solver_.barrier_distance());
 }
 
-/// Of the patches' vertices, from the source nearest to each without its offset.
+/// The median distance of the near patches' vertices from the nearest source of each, without its offset.
 double NearField::median_distance(std::span<const ExactSource> sources) {
   from_source_.clear();
   for (Index v : targets_.vertices) {

@@ -33,41 +33,40 @@ class NearField {
   /// behind the edge, sums over its ends are so much too long that paths through other patches look shorter.
   static constexpr double near_border_edge = 0.5;
   /// The halo is widened until no path leaves it within this part of the median distance of the patches'
-  /// vertices: below, the distance by the tables is a small difference of rounded entries. Around an ordinary
-  /// patch that is ten times as far; across needles, hundreds of faces may be nearer.
+  /// vertices: in the tables, shorter distances are small differences of rounded entries. Around an ordinary
+  /// patch the edge of the halo is ten times as far; across needles, hundreds of faces may be nearer.
   static constexpr double least_certain = 1.0 / 32.0;
-  /// Bounds the time of that: once the halo has grown this many times, it is widened no more.
+  /// Limits the time of widening: a halo that has this many times its first faces is not widened again.
   static constexpr double most_widened = 16.0;
-  /// With directions, the patches around those of the sources are near as well: the farther from a source a
-  /// path is known exactly, the less its direction depends on where it goes on. Growth of the halo around
-  /// these.
+  /// Growth of the halo with directions. The patches that touch those of the sources are then near as well:
+  /// the farther from a source a path is known exactly, the less its direction depends on where it goes on.
   static constexpr double growth_with_directions = 1.2;
 
   explicit NearField(const IndexData& data);
 
-  /// Solves from the sources (on the inner surface) until all places of their patches are reached, and of
-  /// those just behind a border beside them. `directions`: as in ExactLimits; then also of the patches around
-  /// these.
+  /// Solves from the sources (on the inner surface) until all places of the near patches are reached: those
+  /// of the sources, and those just behind a border close to a source. `directions`: as in ExactLimits; with
+  /// them, the patches that touch these are near as well.
   void run(std::span<const ExactSource> sources, double max_distance,
            const TangentFrame* directions = nullptr);
 
-  /// Whether a face is in one of the patches.
+  /// Whether a face is in a near patch.
   bool inside(Index face) const { return is_near_[data_.surface.second_layer[face]] != 0; }
-  /// Whether a border node is between one of the patches and another: no path leaves them elsewhere.
+  /// Whether a border node lies between a near patch and another: paths leave near patches only there.
   bool on_rim(Index node) const {
     const auto patches = data_.second.patches_of(node);
     const auto is_near = [&](const PatchRow& at) { return is_near_[at.patch] != 0; };
     return std::ranges::any_of(patches, is_near) && !std::ranges::all_of(patches, is_near);
   }
-  /// After run(): whether an exact distance replaces that by the tables. It does up to the distance at which
-  /// a path could have left the halo; beyond that if it is shorter, and inside the patches unless that by the
-  /// tables is much shorter.
+  /// After run(): whether an exact distance replaces the one by the tables. It does up to the distance at
+  /// which a path could have left the halo; beyond, if it is no longer, and in near patches unless the one by
+  /// the tables is much shorter.
   bool holds(double exact, double by_tables, bool is_inside) const {
     return exact < unreachable &&
            (exact <= certain_ || exact <= by_tables || (is_inside && by_tables >= shorter_outside * exact));
   }
-  /// Calls visit(vertex, distance) for the vertices in patches and halo where holds() says so.
-  /// `by_tables(vertex)` gives the other distance. A vertex may be visited again.
+  /// Calls visit(vertex, distance) for the vertices in near patches and halo where holds() says so.
+  /// `by_tables(vertex)` gives the distance by the tables. A vertex may be visited more than once.
   template <class ByTables, class Visit>
   void for_each_held(ByTables&& by_tables, Visit&& visit) const {
     for (Index face : halo_.faces()) {

@@ -11,10 +11,11 @@ namespace vorogeo {
 
 namespace {
 
-/// Bounds by tables where the metric jumps: their entries have errors as those of points on edges.
+/// Factor of bounds by tables where the metric jumps, as their entries have the errors of propagation over
+/// points on edges.
 constexpr double rest_slack = 0.99;
 
-/// Calls visit(patch, column) for the second-layer patches of a vertex and its place among their members.
+/// Calls visit(patch, column) for the second-layer patches of a vertex, with its column among their members.
 template <class Visit>
 void for_each_patch(const IndexData& data, Index vertex, Visit&& visit) {
   const Index node = data.second.place_node[vertex];
@@ -109,8 +110,8 @@ std::span<const double> PairDistance::bound_rest(Index target) {
   return least_rest_;
 }
 
-/// By propagation. What it may enter is limited by the bound and the straight line to the target; where a
-/// metric leaves little of that line, by the patches of both ends.
+/// The distance by propagation in a corridor, limited by the bound and the straight line to the target; in a
+/// metric, where straight lines say little, by the patches of both ends.
 double PairDistance::exact_distance(Index source, Index target, double bound) {
   PathBounds bounds;
   if (data_.surface.mesh->has_metric()) {
@@ -123,8 +124,8 @@ double PairDistance::exact_distance(Index source, Index target, double bound) {
   return exact_.distance(source, target, bounds);
 }
 
-/// Whether near ends are solved by propagation. Over points on edges it takes many times as long as by
-/// windows, so ends in different patches are routed there, unless they are close.
+/// Whether near ends are solved by propagation. Where the metric jumps, that takes many times as long as with
+/// windows, so ends in different patches are routed there unless they are close.
 bool PairDistance::is_solved(double bound) const {
   if (patches_.empty()) return false;
   return share_patch_ || !data_.surface.mesh->metric_jumps() || is_close(bound);
@@ -160,7 +161,8 @@ double PairDistance::distance(Index from, Index to) {
   const double bound = bound_by_tables(source, target);
   if (is_solved(bound)) return exact_distance(source, target, bound);
   const double routed = route_length(source, target);
-  // Beyond a patch as narrow as this, crossings are so close to both ends that they are off by most.
+  // Across such a narrow patch the border points lie close to both ends, where the error of a crossing is
+  // relatively largest.
   if (is_close(routed) && !data_.surface.mesh->has_metric()) return exact_distance(source, target, routed);
   return routed;
 }

@@ -14,8 +14,8 @@ class PairDistance {
  public:
   explicit PairDistance(const IndexData& data) : data_(data), exact_(data), router_(data), unfolder_(data) {}
 
-  /// Geodesic distance of two vertices (SSSD); `unreachable` between components. Of the inner surface, the
-  /// vertex with the smaller number is taken as the source, which makes the answer symmetric to the last bit.
+  /// Geodesic distance of two vertices (SSSD); `unreachable` between components. The vertex with the smaller
+  /// number on the inner surface is taken as the source, which makes the answer symmetric to the last bit.
   double distance(Index from, Index to);
 
  private:
@@ -33,11 +33,11 @@ class PairDistance {
   RouteEnd from_;
   RouteEnd to_;
   GraphRoute route_;
-  std::vector<Index> patches_;  ///< of both ends, if they touch
-  bool share_patch_ = false;    ///< whether one of them is a patch of both
+  std::vector<Index> patches_;  ///< of both ends, as far as they touch
+  bool share_patch_ = false;    ///< whether one of them is a patch of both ends
   // Bounds of near pairs, where the metric jumps.
   std::vector<double> least_rest_;  ///< by vertex
-  std::vector<Index> bounded_;      ///< where it is not 0
+  std::vector<Index> bounded_;      ///< vertices where it may not be 0
   std::vector<float> from_target_;  ///< by row of a patch: distance of the node from the target, or NaN
   std::vector<float> greatest_;     ///< by member of a tile
 };

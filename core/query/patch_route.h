@@ -8,10 +8,10 @@
 
 namespace vorogeo {
 
-/// Searches the second-layer tables of an index. A step scans a whole patch: from its border nodes that were
-/// relaxed since its last scan, the least sums to all others, 32 at a time. The straight line to the target
-/// in space is the lower bound (A*): it excludes nodes and selects the patch to scan next. One object belongs
-/// to one thread; a search resets it in O(1).
+/// Searches the second-layer tables of an index. A step scans a whole patch: it finds the least sums from the
+/// border nodes that were relaxed since the patch's last scan to all others, 32 at a time. The straight line
+/// to the target in space is the lower bound (A*): it excludes nodes and selects the patch to scan next. One
+/// object belongs to one thread; a search resets it in O(1).
 class PatchRouter {
  public:
   explicit PatchRouter(const IndexData& data);
@@ -24,10 +24,10 @@ class PatchRouter {
   struct NodeState {
     std::uint32_t stamp = 0;
     float distance = 0.0f;     ///< from the source
-    float to_target = 0.0f;    ///< for seeds of the target: from there
+    float to_target = 0.0f;    ///< for seeds of the target: distance from it
     float lower_bound = 0.0f;  ///< lower bound of the distance to the target
     Index predecessor = 0;     ///< node; no_index for a seed of the source
-    Index patch = 0;           ///< through which it was reached
+    Index patch = 0;           ///< second-layer patch through which it was reached
   };
   struct PatchState {
     bool waits = false;

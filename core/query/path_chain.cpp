@@ -131,12 +131,12 @@ namespace {
 /// A walk is abandoned when it becomes this many times as long as it should be.
 constexpr double longer = 1.1;
 
-/// Of a walk that is not on an edge.
+/// The position of a walk that is not on an edge.
 constexpr double off_the_edge = -1.0;
 
 double length_of(double x, double y) { return std::sqrt(x * x + y * y); }
 
-/// What is done in parts, so that other things can be done between them.
+/// A coroutine: work that is done in parts, with other work in between.
 class InParts {
  public:
   struct promise_type {
@@ -155,7 +155,7 @@ class InParts {
   ~InParts() {
     if (parts_) parts_.destroy();
   }
-  /// The next part. \return false at the end.
+  /// Does the next part. \return false at the end.
   bool go_on() {
     parts_.resume();
     return !parts_.done();
@@ -172,9 +172,9 @@ struct ChainStep {
   Index patch;
 };
 
-/// Follows a step: from one of its ends to the other, which is a border node of the patch; along
-/// edges if there is no patch, and from where the distances lead out of it. In each face the distances of two
-/// vertices place the goal in the plane of the face.
+/// Follows a step from one of its ends to the other, a border node of the patch, down the distances of that
+/// node; along edges if there is no patch, or from where the distances lead out of it. In each face the
+/// distances of two vertices place the goal in the plane of the face.
 ///
 /// A walk terminates: each vertex that it meets is nearer to the goal than the previous one, and after a
 /// bounded number of faces between two vertices it continues along edges.
@@ -304,7 +304,7 @@ class StepWalk {
   }
 
   void walk_along_edges() {
-    // From and to an end of the edge that a place is inside, through a face at this edge.
+    // A place inside an edge is joined to an end of that edge through a face at it.
     auto vertex_at = [&](Index place) {
       return data_.surface.is_vertex(place) ? place
                                             : mesh_.edge_vertices(data_.surface.point_at(place).edge)[0];
@@ -478,7 +478,7 @@ class StepWalk {
   bool is_forwards_;
   Index goal_;
   Index row_;
-  Index goal_edge_;               ///< that it is inside; no_index if it is a vertex
+  Index goal_edge_;               ///< the edge that the goal is inside; no_index if it is a vertex
   Index place_;                   ///< the last one met
   double at_last_ = unreachable;  ///< distance of that place
   std::vector<PassedFace> passed_;
@@ -622,7 +622,7 @@ class ChainBuilder {
 
 namespace {
 
-/// Adds faces to a strip until it ends in the face passed next. \return false if it does not touch that.
+/// Adds faces to a strip until it ends in the face passed next. \return false if it does not touch that face.
 bool pass(const InnerSurface& surface, const PassedFace& next, FaceStrip& strip) {
   const Mesh& mesh = *surface.mesh;
   if (strip.first == no_index) {

@@ -39,19 +39,19 @@ struct PathEnd {
   double to_vertex = 0.0;   ///< distance of the point from that vertex
 };
 
-/// One on the inner surface of an index.
+/// An end point on the inner surface of an index.
 struct IndexedEnd : PathEnd {
-  /// Of a point of the user's mesh.
+  /// The end at a point of the user's mesh.
   IndexedEnd(const IndexData& data, const SurfacePoint& user);
 
   Index patch = no_index;          ///< of the second layer, if the point is in a face
-  std::vector<Index> patches;      ///< all at the point
+  std::vector<Index> patches;      ///< all second-layer patches at the point
   std::optional<FacePiece> piece;  ///< around the point, if it is in a face
   Index place = no_index;          ///< the point itself or the nearest corner of the piece
-  double to_place = 0.0;           ///< distance of the point from that
+  double to_place = 0.0;           ///< distance of the point from that place
 
-  /// What `of_place` gives for the point itself, or the distance that follows from what it gives for the
-  /// corners of the piece.
+  /// The distance that `of_place` gives for the point's place; in a face, the one that follows from those of
+  /// the corners of the piece.
   template <class OfPlace>
   double distance(OfPlace&& of_place) const {
     if (!piece) return of_place(place);

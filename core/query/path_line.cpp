@@ -174,8 +174,8 @@ const std::vector<Funnel::Bend>& Funnel::finish(const PlanePoint& point) {
 
 namespace {
 
-/// Edges crossed, and the line itself, are this fraction of the longest of them: ten digits remain of its
-/// length.
+/// The shortest of the edges crossed and the line must be at least this fraction of the longest: then ten
+/// digits of the line's length remain.
 constexpr double least_scale = 1e-6;
 
 }  // namespace
@@ -283,8 +283,8 @@ void PathLine::pull(Joint& from, Joint& to) {
   std::array<double, 3> weights{};
   if (begin == 0) {
     FacePlane plane(*geometry_, first_face_);
-    // Sides of crossings are as seen from the face in which the strip began, which this one may face away
-    // from.
+    // Left and right are as seen from the face in which the strip began before it was trimmed; the present
+    // first face may face the other way.
     if (!crossings_.empty() && mesh.head(crossings_[0].exit) != crossings_[0].left) {
       for (PlanePoint& corner : plane.corner) corner[1] = -corner[1];
     }
@@ -361,8 +361,8 @@ void PathLine::pull(Joint& from, Joint& to) {
 
 // ---- Changes of a line: strips moved to the other side of vertices, and the parts that stay
 
-/// Adds a crossing to the strip being made, without detours: a face left and entered again at once. Calls
-/// itself only after removing a crossing, so no more often than there are crossings.
+/// Adds a crossing to the strip being made, and removes detours: a face that is left and entered again at
+/// once. Calls itself only after removing a crossing, so no more often than there are crossings.
 void PathLine::push(const UnfoldedCrossing& crossing) {
   if (!next_.empty()) {
     const bool turns = next_.back().entry == crossing.exit;

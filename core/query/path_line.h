@@ -13,7 +13,7 @@ namespace vorogeo {
 
 // ---- A strip of faces from one surface point to another, each adjacent to the next across an edge
 
-/// An edge as half-edge of the face that is left and of the face that is entered.
+/// A crossed edge, as half-edge of the face that is left and of the face that is entered.
 struct HalfedgePair {
   Index exit;
   Index entry;
@@ -108,7 +108,7 @@ struct Joint {
   bool left = true;         ///< on which side of the strip the vertex is
   bool settled = false;     ///< the other side is not shorter
   bool is_seam = false;     ///< the two planes are not the same
-  Index first = 0;          ///< crossings that end in the vertex
+  Index first = 0;          ///< first and last of the crossings that end in the vertex
   Index last = 0;
   PlanePoint in{};        ///< the vertex in the preceding plane
   PlanePoint other_in{};  ///< and the other end of the last crossing
@@ -116,8 +116,8 @@ struct Joint {
   PlanePoint other_out{};
 };
 
-/// The line can be changed locally: only what lies between two joints that stay is unfolded and pulled tight
-/// again.
+/// The shortest line in a strip. It can be changed locally: only the part between two joints that stay is
+/// unfolded and pulled tight again.
 class PathLine {
  public:
   explicit PathLine(const ExactGeometry& geometry) : geometry_(&geometry) {}
@@ -135,14 +135,14 @@ class PathLine {
   const std::vector<Joint>& joints() const { return joints_; }
   const SurfacePoint& source() const { return source_; }
   const SurfacePoint& target() const { return target_; }
-  /// Whether edges that it crosses, or crossed before a change, differ so much in length from each other or
-  /// from the line that unfolding loses the line's length: a position is rounded by a part of the longest,
-  /// and a direction by that over the shortest.
+  /// Whether the edges that the line crosses, or crossed before a change, differ so much in length from each
+  /// other or from the line that unfolding loses the line's length: a position is rounded by a part of the
+  /// longest edge, and a direction by that over the shortest.
   bool is_rough() const;
   double length() const;
   /// Angle by which the line turns towards the vertex of a joint; negative if the bend is not needed.
   double turn(std::size_t joint) const;
-  /// All crossings around `at` that end in its vertex on its side.
+  /// Sets the range of a joint: all consecutive crossings around `at` that end in its vertex, on its side.
   void find_range(Index at, Joint& joint) const;
 
   /// What to do at a joint: `keep` the bend; `release` it, so that the line is pulled tight between the
@@ -181,7 +181,7 @@ class PathLine {
   std::vector<UnfoldedCrossing> next_;
   std::vector<Joint> next_joints_;
   std::vector<HalfedgePair> passed_;
-  Index fixed_ = 0;         ///< crossings of next_ that belong to a joint that stays
+  Index fixed_ = 0;         ///< number of crossings of next_ up to the last joint that stays
   bool disturbed_ = false;  ///< one of them was taken out
 };
 

@@ -53,8 +53,9 @@ std::optional<ExactPath> PathQuery::known_path(const SurfacePoint& from, const S
 
 // ---- Without an index: bounds from the shortest path along edges
 
-/// Between points that are near, or of a mesh without an index: the length of that path, pulled tight where
-/// a strip of faces along it joins the points. Unreachable where nothing can be pulled tight.
+/// For near points, and without an index: the length of the shortest path along edges, pulled tight where a
+/// strip of faces along it joins the points. Unreachable where the metric jumps, as no line can be pulled
+/// tight there.
 double PathQuery::length_by_edges(const PathEnd& from, const PathEnd& to) {
   if (!refiner_) return unreachable;
   const Mesh& mesh = *strip_geometry_->mesh;
@@ -86,8 +87,8 @@ void PathQuery::find_route(RoutedEnds& ends) {
   }
 }
 
-/// By exact propagation, where the ends are near or, as the metric jumps, nothing can be refined; otherwise
-/// finds their route.
+/// The path by exact propagation, if the ends are near or the metric jumps, so that no line can be refined;
+/// otherwise finds the route between the ends.
 std::optional<ExactPath> PathQuery::solved(const SurfacePoint& from, const SurfacePoint& to,
                                            RoutedEnds& ends) {
   const bool are_ends_near = are_near(routes_->data, ends.from, ends.to);

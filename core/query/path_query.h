@@ -30,13 +30,14 @@ class PathQuery {
   /// faces crossed; if the result is doubtful, also that of exact propagation in the faces close to them.
   SurfacePath path(const SurfacePoint& source, const SurfacePoint& target);
 
-  /// The shortest path, by exact propagation in a corridor: from the length of the refined path, or without
-  /// an index of the shortest path along edges pulled tight, and lower bounds of the rest. Always proven
-  /// where faces are not degenerate; where the metric jumps at edges, a refracted path of which nothing is
-  /// proven. `certify`: with an index, use only proven lower bounds, the straight line in space and those of
-  /// `landmarks`, where they are given. Without it, the index's distance, less a margin that is not proven,
-  /// narrows the corridor: faster on large curved surfaces, but on meshes of needles a few answers are too
-  /// long. \throw InvalidInput for a point that is not on the mesh; Cancelled at a checkpoint.
+  /// The shortest path, by exact propagation in a corridor. That is limited by the length of the refined
+  /// path, or without an index of the shortest path along edges pulled tight, and by lower bounds of the
+  /// rest. Always proven where faces are not degenerate; where the metric jumps at edges, a refracted path of
+  /// which nothing is proven. `certify`: with an index, use only proven lower bounds, the straight line in
+  /// space and those of `landmarks`, where they are given. Without it, the index's distance, less a margin
+  /// that is not proven, narrows the corridor: faster on large curved surfaces, but on meshes of needles a
+  /// few answers are too long. \throw InvalidInput for a point that is not on the mesh; Cancelled at a
+  /// checkpoint.
   ExactPath exact_path(const SurfacePoint& source, const SurfacePoint& target, bool certify = true,
                        const ExactLandmarks* landmarks = nullptr);
   /// The same from the source of a propagation that serves many targets.
@@ -58,7 +59,7 @@ class PathQuery {
     IndexedEnd from;
     IndexedEnd to;
     GraphRoute route{};
-    /// Of the route, over border nodes; longer than the distance up to the precision of the tables.
+    /// Length over border nodes: an upper bound of the distance, up to the precision of the tables.
     double length() const { return from.to_place + route.length + to.to_place; }
   };
   std::optional<ExactPath> known_path(const SurfacePoint& from, const SurfacePoint& to) const;

@@ -1,4 +1,4 @@
-// Each question passed on to the solver of its method.
+// Passes each question on to the solver of its method.
 #include "query/query.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ const IndexField& Query::index_field(std::span<const ExactSource> sources, doubl
 
 namespace {
 
-/// Of quick fields, as in ExactLimits: time against errors, of a twentieth of a percent in the mean.
+/// Merge tolerance of quick fields (ExactLimits): time against mean errors of a twentieth of a percent.
 constexpr double quick_tolerance = 5e-3;
 
 }  // namespace
@@ -61,7 +61,7 @@ const LocalSolver& Query::solved(std::span<const ExactSource> sources, const Exa
 namespace {
 
 /// Sources for solvers, which know nothing of a potential (Mesh::potential), and what it adds to their
-/// distances. Offsets must not be negative: in each component, the potential counts from its highest source.
+/// distances. As offsets must not be negative, the potential of a component counts from its highest source.
 class Levelled {
  public:
   Levelled(const Mesh& mesh, std::span<const ExactSource> given, double greatest)
@@ -102,7 +102,7 @@ class Levelled {
   std::vector<ExactSource> shifted_;
 };
 
-/// What a solver has found in its last run.
+/// The field that a solver has found in its last run.
 template <class Solver>
 std::vector<double> field_of(const Solver& solver, const Levelled& from, std::vector<Index>* labels) {
   const Index count = solver.mesh().vertex_count();
@@ -175,7 +175,7 @@ double Query::distance(const SurfacePoint& source, const SurfacePoint& target, A
 
 namespace {
 
-/// A path whose length is that of a solver, with the rise of a potential.
+/// Adds the rise of a potential to the length of a path, which is that of a solver.
 ExactPath raised(const Mesh& mesh, const SurfacePoint& source, const SurfacePoint& target, ExactPath path) {
   if (path.path.length < unreachable)
     path.path.length += potential_at(mesh, target) - potential_at(mesh, source);
@@ -197,7 +197,7 @@ ExactPath Query::path(const SurfacePoint& source, const SurfacePoint& target, An
 
 namespace {
 
-/// The same point on the inner surface of an index: its faces have other numbers, so angles begin elsewhere.
+/// The user's frame on the inner surface: its faces have other numbers, so angles begin elsewhere.
 class InnerFrame {
  public:
   InnerFrame(const IndexData& data, const TangentFrame& user)
@@ -220,7 +220,7 @@ class InnerFrame {
   double turned_;
 };
 
-/// As vectors in a frame. leg(point): the angle at which the path to a target begins.
+/// The log map with vectors in a frame. leg(point): the angle at which the path to a target begins.
 template <class Distance, class Leg>
 LogMap vectors_to(const Mesh& mesh, const std::optional<PointList>& targets, const TangentFrame& frame,
                   const Distance& distance, const Leg& leg) {
@@ -344,7 +344,7 @@ void Query::last_legs(const SurfacePoint& from, double max_distance, const Progr
     }
     std::vector<SurfacePoint> leg = solver.last_leg_of(order[i]).points;
     if (leg.empty()) continue;
-    // Among vertices equally far, in one place, the path may come from one that follows.
+    // Among vertices at one position, equally far, the path may come from one that is visited later.
     const SurfacePoint& first = leg.back();
     if (first.is_vertex() && is_visited[mesh.representative(first.vertex)] == 0)
       leg = solver.path_to_source(SurfacePoint::at_vertex(order[i])).points;

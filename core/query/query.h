@@ -1,4 +1,4 @@
-// What one thread asks a surface with: fields, distances and paths, by whatever method.
+// What one thread asks a surface through: fields, distances and paths, by any method.
 #pragma once
 
 #include <functional>
@@ -35,7 +35,7 @@ struct Turn {
 };
 
 /// Answers by a method that was chosen before. Lent by a Surface (Surface::lend) to one thread at a time;
-/// each part takes its memory, for the whole mesh, when it is first asked. In all calls `by` is not
+/// each part takes its memory, for the whole mesh, when it is first used. In all calls `by` is not
 /// `automatic`, and points are on the mesh.
 class Query {
  public:
@@ -47,9 +47,9 @@ class Query {
   /// source in the list, by vertex; no_index where there is none.
   std::vector<double> field(std::span<const ExactSource> sources, double max_distance, Answer by, int threads,
                             std::vector<Index>* labels = nullptr, const Progress& progress = {});
-  /// Of the field that was asked last, by the method exact: see WeightedSolver::expected_error.
+  /// The expected error of the last field by the method exact: see WeightedSolver::expected_error.
   double expected_error() { return solver_ ? solver_->expected_error() : 0.0; }
-  /// The same from segments as well, whose ends are all among the sources: see ExactLimits::segments. Exact.
+  /// An exact field from segments as well, whose ends are all among the sources: see ExactLimits::segments.
   std::vector<double> field_of_lines(std::span<const ExactSource> sources,
                                      std::span<const SourceSegment> segments, double max_distance,
                                      int threads, const Progress& progress);
@@ -57,7 +57,7 @@ class Query {
   /// exact ones where a source is near (IndexField::distance).
   std::vector<double> distances(std::span<const ExactSource> sources, const PointList& targets,
                                 double max_distance, Answer by);
-  /// The same as a function of the point, which must not outlive the next question to this query.
+  /// The field as a function of the point, valid until the next question to this query.
   std::function<double(const SurfacePoint&)> field_at_points(std::span<const ExactSource> sources,
                                                              double max_distance, Answer by);
   /// Distance of two points, symmetric: from the index that of PairDistance for two vertices, otherwise the
@@ -65,21 +65,22 @@ class Query {
   double distance(const SurfacePoint& source, const SurfacePoint& target, Answer by);
   /// See Surface::path.
   ExactPath path(const SurfacePoint& source, const SurfacePoint& target, Answer by, bool exact, bool certify);
-  /// From the point of a frame to all vertices, or to some points; distances above max_distance are
+  /// The paths from the point of a frame to all vertices, or to some points; distances above max_distance are
   /// `unreachable`. \pre The metric does not jump around the point; `by` is not quick.
   LogMap log_map(const TangentFrame& frame, const std::optional<PointList>& targets, double max_distance,
                  Answer by, int threads, const Progress& progress);
   /// Where the paths of the last exact log_map() to its targets turn, if they do.
   std::vector<Turn> first_turns(const PointList& targets) const;
-  /// Of distances from the nearest of some sources, at all vertices or at some points: see vorogeo::gradient.
+  /// The gradient (vorogeo::gradient) of the distance from the nearest of some sources, at all vertices or at
+  /// some points.
   std::vector<Tangent> gradient(std::span<const ExactSource> sources, const std::optional<PointList>& points,
                                 double max_distance, const Progress& progress);
-  /// Visits the vertices that a point reaches, nearer ones first, with what the shortest path has passed
-  /// since it left the point or a vertex that was visited before: this first, the vertex last. Exact. \pre
-  /// The metric does not jump around the point.
+  /// Visits the vertices that a point reaches, nearer ones first, each with the last leg of its shortest
+  /// path: the points from `from`, or from a vertex visited before, to the vertex itself. Exact. \pre The
+  /// metric does not jump around the point.
   void last_legs(const SurfacePoint& from, double max_distance, const Progress& progress,
                  const std::function<void(Index, const PointList&)>& visit);
-  /// Of the distance from the nearest of some sources. Exact. \pre The metric jumps nowhere.
+  /// The ridge of the distance from the nearest of some sources. Exact. \pre The metric jumps nowhere.
   Ridge ridge(std::span<const ExactSource> sources, double max_distance, const Progress& progress);
   /// Exact paths from one point to many: one propagation serves them all.
   void exact_paths(const SurfacePoint& source, std::span<const SurfacePoint> targets,

@@ -16,12 +16,12 @@ inline constexpr double waiting_in_shared_field = 1.25;
 /// How long answers take.
 class Stopwatch {
  public:
-  /// By the clock on the wall.
+  /// Wall-clock time.
   double seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
-  /// What RentOrBuy counts: work of the calling thread, which stands still while other programs run.
-  /// `threads`: that shared the work.
+  /// What RentOrBuy counts: processor time of the calling thread, which leaves out other programs, and its
+  /// waiting for others. `threads`: how many shared the work.
   double rent(int threads) const {
     const double waiting = threads > 1 ? waiting_in_shared_field : 1.0;
     return std::min(seconds(), waiting * (thread_seconds() - worked_));
@@ -72,8 +72,8 @@ class RentOrBuy {
   static constexpr double least_seconds_per_vertex = 2e-5;
   /// A build mostly takes as long as tens of exact fields, so that a few slow answers say little.
   static constexpr int least_answers = 8;
-  /// On large meshes it may take as long as few of them: a rent of so many times the least price counts
-  /// sooner.
+  /// On large meshes a build may take only as long as a few fields: a rent of so many times the least price
+  /// counts after fewer answers.
   static constexpr double likely_price = 4.0;
 
   double rent_with_next() const { return answers_ == 0 ? 0.0 : rent_ + rent_ / answers_; }

@@ -64,7 +64,7 @@ struct Stage {
   Index exit;  ///< place
 };
 
-/// Finds the parts of a whole route, with those through the patches of its ends. None without a node.
+/// Finds the stages of a whole route, with those through the patches of its ends; none if it has no node.
 void find_stages(const IndexData& data, const GraphRoute& route, const RoutedPlace& source,
                  const RoutedPlace& target, std::vector<Stage>& stages);
 

@@ -21,7 +21,7 @@ namespace {
 /// Queries kept for the next call, for each thread of a task; each holds memory for the whole mesh.
 constexpr int max_idle_per_thread = 2;
 
-/// Tasks that save so many whole fields ask for the price of an index before they begin.
+/// Where an index would save a task so many whole fields, its price is estimated before the task begins.
 constexpr double many_fields = 16.0;
 
 /// Number of pairs in one call from which landmarks usually save more time than they cost (docs/figures.md).
@@ -105,7 +105,7 @@ std::optional<double> Surface::field_seconds() const {
 }
 
 void Surface::pay_for_fields(double seconds, double reach) {
-  // What an index would not save does not make one pay.
+  // Only time that an index would save counts towards one.
   if (reach > short_reach()) pay(seconds * (1.0 - short_reach() / reach));
 }
 
@@ -118,7 +118,7 @@ std::shared_ptr<const GeodesicIndex> Surface::build_index(const IndexBuild& buil
   std::unique_lock one_build(build_mutex_, std::try_to_lock);
   Progress rest = progress;
   if (!one_build) {
-    // Whoever waits can be cancelled as well.
+    // A call that waits can be cancelled as well.
     const Watch watch(progress.part(0.0, 0.5), "Waiting for the index");
     while (!one_build.try_lock_for(report_interval)) checkpoint();
     rest = progress.part(0.5, 1.0);
@@ -199,7 +199,7 @@ double Surface::reach_of(double distance) {
     }
     area = *area_;
   }
-  // At least a part that its inverse can count.
+  // Never 0, as callers divide by it.
   return area > 0.0 ? std::clamp(std::numbers::pi * distance * distance / area, 1e-12, 1.0) : 1.0;
 }
 
@@ -212,7 +212,7 @@ Answer Surface::at_once(bool is_field) const {
   return is_quick ? Answer::quick : Answer::exact;
 }
 
-/// Leaves the question the progress from where the build has come, also where that fails.
+/// Leaves the question the progress from where the build stopped, also if it failed.
 void Surface::build_for_question(Answered& answered, Progress& progress) {
   const Stopwatch watch;
   const Progress whole = progress;
@@ -233,8 +233,8 @@ void Surface::build_for_question(Answered& answered, Progress& progress) {
   answered.index_seconds = watch.seconds();
 }
 
-/// The index, built if the price has been paid in exact answers, or would be with what an index saves of
-/// them: as much as so many whole fields take; below `many_fields`: with one more. Otherwise exact.
+/// Chooses the index, and builds it, if exact answers have cost its price, or would have after this question,
+/// which needs so many whole fields more without it (below `many_fields`: after one more answer).
 Answer Surface::rent_or_build(double saved_fields, Answered& answered, Progress& progress) {
   const bool is_long = saved_fields >= many_fields;
   if (spent().has_given_up()) return Answer::exact;
@@ -270,7 +270,7 @@ Answer Surface::choose(Answer method, double fields, double reach, Answered& ans
   if (mesh_->is_one_way()) return Answer::exact;
   if (reach <= short_reach()) return Answer::exact;
   if (index()) return Answer::index;
-  // What an index saves: its own fields take as long as short ones.
+  // What an index saves of each field: its own take as long as an exact one of short_reach().
   return rent_or_build(fields * (reach - short_reach()), answered, progress);
 }
 
@@ -328,7 +328,7 @@ Answer Surface::choose_for_pairs(Answer method, Answered& answered, Progress& pr
   return choose(method, 1.0, 1.0, answered, progress);
 }
 
-/// ask(query, method, from, to) for one pair, in canonical form.
+/// Calls ask(query, method, from, to) for one pair, with its points in canonical form.
 template <class Ask>
 auto Surface::answer_pair(const SurfacePoint& source, const SurfacePoint& target, Answer method,
                           const char* activity, Answered& answered, const Progress& progress, Ask&& ask) {
@@ -373,7 +373,7 @@ void Surface::answer_pairs(const PointPairs& pairs, Answer method, std::size_t a
   answered = {};
   if (count == 0) return;
   std::optional<Answer> ordered_for;
-  // Exact answers come in rounds, as after each of them an index may pay.
+  // Exact answers come in rounds, as after each round an index may pay.
   std::size_t done = 0;
   Progress progress_left = progress;
   do {
@@ -431,7 +431,7 @@ void Surface::answer_pairs(const PointPairs& pairs, Answer method, std::size_t a
 
 namespace {
 
-/// In canonical form. \throw InvalidInput.
+/// Pairs of points in canonical form. \throw InvalidInput.
 struct CheckedPairs {
   CheckedPairs(const Mesh& mesh, const PointPairs& pairs)
       : sources(points_on(mesh, pairs.sources, "Source")), targets(points_on(mesh, pairs.targets, "Target")) {

@@ -27,16 +27,16 @@ inline constexpr Index max_vertices_at_once = 50000;
 /// Pairs handed to a thread at a time, whose distances are read from tables.
 inline constexpr std::size_t distances_at_once = 64;
 
-/// What answered, and what that took.
+/// What answered, and how long it took.
 struct Answered {
   Answer by = Answer::exact;   ///< never automatic
   double seconds = 0.0;        ///< of the answer alone
   double index_seconds = 0.0;  ///< of an index that was built for it; 0 if none was
   std::string remark;          ///< what a user should know about the choice; empty if nothing
-  /// Of the distances of a field, relative, in the mean: 0 but for rounding where nothing jumps; NaN if it is
-  /// not by the method exact.
+  /// Expected relative error of a field's distances in the mean: 0 up to rounding where the metric does not
+  /// jump; NaN for fields not by the method exact.
   double expected_error = std::numeric_limits<double>::quiet_NaN();
-  /// Of a field, and of directions: vertices, targets or pairs to which no path leads, near or far.
+  /// Of a field, and of directions: vertices, targets or pairs to which no path leads, however long.
   Index unreached = 0;
 };
 
@@ -50,7 +50,7 @@ struct LabelledField {
   std::vector<Index> source;     ///< position in the list of sources; no_index where there is none
 };
 
-/// Points whose distances or paths are asked for: those at one position of both lists.
+/// Pairs of points whose distances or paths are asked for: those at the same position of both lists.
 struct PointPairs {
   const PointList& sources;
   const PointList& targets;
@@ -58,7 +58,7 @@ struct PointPairs {
 
 /// How paths are found.
 struct PathOptions {
-  bool exact = false;   ///< from an index the exact path, not the refined one
+  bool exact = false;   ///< with an index, the exact path instead of the refined one
   bool certify = true;  ///< see PathQuery::exact_path
 };
 
@@ -71,22 +71,22 @@ class Surface {
   /// With an index that exists already, or null, and what exact answers on this mesh have taken before.
   Surface(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const GeodesicIndex> index,
           const RentOrBuy& spent, const IndexOptions& options = {});
-  /// Of the mesh of an index.
+  /// On the mesh of an index, with that index.
   explicit Surface(std::shared_ptr<const GeodesicIndex> index, int threads = 0);
 
   const std::shared_ptr<const Mesh>& mesh() const { return mesh_; }
-  /// Of a field or a task, at least 1.
+  /// For a field or a task, at least 1.
   int threads() const { return threads_; }
   /// Null as long as there is none.
   std::shared_ptr<const GeodesicIndex> index() const;
   /// The index, built now if there is none. While another thread builds it, waits for that and goes on
   /// reporting. \throw as GeodesicIndex::build.
   std::shared_ptr<const GeodesicIndex> build_index(const Progress& progress = {});
-  /// The same, where `build` is what builds it: with other options, or in a file.
+  /// The same, but built by `build`: with other options, or in a file.
   using IndexBuild = std::function<std::shared_ptr<const GeodesicIndex>(const Progress&)>;
   std::shared_ptr<const GeodesicIndex> build_index(const IndexBuild& build, const Progress& progress);
-  /// Asks for the ways back: distances of points to the sources instead of from them. Itself, where both ways
-  /// cost the same.
+  /// The surface that answers for the way back: distances of points to the sources instead of from them. This
+  /// one, where both ways cost the same.
   Surface& reversed();
   /// What all solvers on this mesh share, made when it is first asked for.
   std::shared_ptr<const LocalGeometry> geometry();
@@ -96,8 +96,7 @@ class Surface {
   Answer at_once(bool is_field) const;
 
   /// For every vertex the least sum of a source's offset and the distance from it, and which source that is;
-  /// sums above max_distance are
-  /// `unreachable`. \throw InvalidInput as IndexField::run; Cancelled.
+  /// sums above max_distance are `unreachable`. \throw InvalidInput as IndexField::run; Cancelled.
   LabelledField field(std::span<const ExactSource> sources, double max_distance, Answer method,
                       Answered& answered, const Progress& progress = {});
   /// The shortest path between two points. From the index the refined one, or the exact one if that is
@@ -109,8 +108,7 @@ class Surface {
   /// source share a propagation, where that pays. \throw as path(), also for lists of different lengths.
   std::vector<ExactPath> paths(const PointPairs& pairs, Answer method, const PathOptions& options,
                                Answered& answered, const Progress& progress = {});
-  /// Distance of two points: from the index that of PairDistance for two vertices, otherwise the length
-  /// of that path.
+  /// Distance of two points: from the index that of PairDistance for two vertices, else the length of path().
   double distance(const SurfacePoint& source, const SurfacePoint& target, Answer method, Answered& answered,
                   const Progress& progress = {});
   /// The distances of many pairs, on all threads; pairs that read the same tables follow one another. \throw
@@ -118,12 +116,12 @@ class Surface {
   std::vector<double> distances(const PointPairs& pairs, Answer method, Answered& answered,
                                 const Progress& progress = {});
 
-  /// Lower bounds by which exact paths are found from now on, where there is an index; null: only their own.
+  /// From now on, exact paths with an index also use the lower bounds of these landmarks; null: of none.
   void use_landmarks(std::shared_ptr<const ExactLandmarks> landmarks);
   std::shared_ptr<const ExactLandmarks> landmarks() const;
 
   /// What answers a task of so many fields, each of which reaches the part `reach` of the surface (0 to 1).
-  /// An index that is needed has been built when it returns. `progress`: receives what is left of it.
+  /// An index that is needed has been built when it returns. `progress`: becomes the part of it that is left.
   Answer choose(Answer method, double fields, double reach, Answered& answered, Progress& progress);
   /// The part of the surface within a distance from a point, as in the plane.
   double reach_of(double distance);
@@ -133,13 +131,13 @@ class Surface {
   /// Exact fields of that reach have taken so many seconds, which count towards an index; see RentOrBuy.
   void pay_for_fields(double seconds, double reach);
 
-  /// A query that no other thread has, until give_back(). After an exception, let it go instead.
+  /// A query that no other thread has, until give_back(). After an exception, destroy it instead.
   std::unique_ptr<Query> borrow();
   void give_back(std::unique_ptr<Query> query);
-  /// Frees the queries that no thread has, also of the ways back: they answer the next question sooner, and
-  /// hold memory for the whole mesh.
+  /// Frees the queries that no thread has, also those of reversed(): they answer the next question sooner,
+  /// but hold memory for the whole mesh.
   void free_queries();
-  /// Lends a query to `body`, which it is called with.
+  /// Calls body(query) with a borrowed query, and gives it back.
   template <class Body>
   auto lend(Body&& body) {
     std::unique_ptr<Query> query = borrow();
@@ -164,14 +162,14 @@ class Surface {
   const std::shared_ptr<const Mesh> mesh_;
   const IndexOptions options_;
   const int threads_;
-  mutable std::mutex mutex_;      ///< of everything below, held for moments
+  mutable std::mutex mutex_;      ///< guards what has no mutex of its own, held for moments
   std::timed_mutex build_mutex_;  ///< one build at a time
   std::mutex geometry_mutex_;     ///< likewise
   std::shared_ptr<const GeodesicIndex> index_;
   RentOrBuy spent_;
-  std::shared_ptr<const LocalGeometry> geometry_;  ///< by geometry_mutex_
+  std::shared_ptr<const LocalGeometry> geometry_;  ///< guarded by geometry_mutex_
   std::mutex reversed_mutex_;
-  std::unique_ptr<Surface> reversed_;  ///< by that one: a mesh is copied for it
+  std::unique_ptr<Surface> reversed_;  ///< guarded by reversed_mutex_; has a copy of the mesh
   std::shared_ptr<const ExactLandmarks> landmarks_;
   std::optional<double> area_;
   std::optional<double> field_seconds_;       ///< of an exact field, once it was estimated

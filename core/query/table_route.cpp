@@ -13,7 +13,7 @@ namespace vorogeo {
 
 namespace {
 
-/// Half of the greatest bound between borders: the sum of one of those and two of these stays within 15 bits.
+/// Half of the greatest bound between borders: the sum of one such bound and two to borders has 15 bits.
 constexpr float greatest_to_border = 8191.0f;
 /// Bounds and distances are rounded differently, by far less than this.
 constexpr float rounding_slack = 1.000001f;
@@ -105,7 +105,7 @@ void AccessDistances::reset(const RouteEnd& end, Index parent) {
   vertex_ = end.vertex;
 }
 
-/// Lanes of seeds whose bounds lead to a group within the limit, in their order.
+/// Lanes, ascending, of the seeds whose bounds of the distance to a group are within the limit.
 std::span<const Index> AccessDistances::lanes_within(std::size_t group, std::uint8_t limit) {
   flags_.resize(seed_bound_.size());
   lanes_.resize(seed_bound_.size());
@@ -165,11 +165,11 @@ Index AccessDistances::seed_of(std::size_t group, Index row) {
   return best;
 }
 
-// ---- First bounds for all cells between two first-layer borders, then what these do not exclude
+// ---- First bounds for all cells between two first-layer borders, then the cells that these do not exclude
 
 namespace {
 
-/// Cells that are examined in the order of their bounds.
+/// This many cells are examined in the order of their bounds.
 constexpr std::size_t first_cells = 4;
 
 }  // namespace
@@ -182,7 +182,7 @@ std::int16_t TableRouter::in_bounds(float length) const {
                                                : greatest);
 }
 
-/// What remains of the least sum of a group after the distance to it.
+/// What remains of the least sum of bounds over a group after the bound of the distance to the group.
 float TableRouter::rest(const AccessDistances& end, std::size_t group, std::int16_t least) const {
   return data_.access_bounds.unit_between * static_cast<float>(least - end.bounds_to_border()[group]);
 }
@@ -251,7 +251,7 @@ TableRouter::Joint TableRouter::join(AccessDistances& low, AccessDistances& high
   const auto lowest = static_cast<Index>(std::ranges::min_element(low_least_) - low_least_.begin());
   std::int16_t max_bound = in_bounds(best.length);
   if (low_least_[lowest] > max_bound) return best;
-  // Calls visit(column, bound) where a row has a sum of at most `max_bound`.
+  // Calls visit(column, bound) where a row has a sum of at most `limit`.
   const auto for_each_within = [&](Index row, std::int16_t limit, auto&& visit) {
     const std::int16_t* of_row = between + static_cast<std::size_t>(row) * width;
     short_sums_within(of_row, to_high, width, static_cast<std::int16_t>(limit - to_low[row]), within_.data());

@@ -66,7 +66,7 @@ class AccessDistances {
   const std::uint16_t* table_ = nullptr;  ///< of the first-layer patch
   Index table_rows_ = 0;
   std::vector<Part> parts_;
-  // By lane: the distance of its seed, the same as a bound, the seed's column in the table, and its place
+  // By lane: the distance of its seed, the same as a bound, the seed's column in the table, and its position
   // among the seeds of the end. Lanes without a seed are infinitely far.
   std::vector<float> seed_distance_;
   std::vector<std::uint8_t> seed_bound_;
