@@ -1,4 +1,4 @@
-// The patches of an index by what their tables take, and how finely their borders are split.
+// The patches of an index, chosen by the size of their tables, and how finely their borders are split.
 #include "index/border_pieces.h"
 
 #include <algorithm>
@@ -16,12 +16,12 @@ namespace vorogeo {
 
 namespace {
 
-/// In roots of the area of a patch: saddle vertices nearer to a border edge than this make its pieces
-/// shorter, by the root of their distance over this.
+/// Saddle vertices nearer to a border edge than this, in square roots of the area of a patch, make its pieces
+/// shorter: by the square root of their distance over this.
 constexpr double saddle_reach = 0.06;
-/// No piece gets shorter than this part.
+/// No piece becomes shorter than this part of its length elsewhere.
 constexpr double finest_part = 1.0 / 3.0;
-/// Enough to know how near they are where thousands crowd.
+/// Most saddle vertices looked at around an edge: where thousands crowd, so many tell how near they are.
 constexpr int max_saddles = 1000;
 
 /// Angle at a vertex beyond that of a straight path on both sides.
@@ -63,7 +63,7 @@ double NearSaddles::piece_factor(Index edge, double size) const {
   const Point b = mesh_.position(second);
   const double straight = distance_between(a, b);
   if (!(straight > 0.0) || vertex_.empty()) return 1.0;
-  // In another metric, a length around here is as many times one in space as the edge is.
+  // In a metric, lengths near the edge are as many times those in space as the edge's own.
   const double reach = saddle_reach * size * straight / mesh_.edge_length(edge);
   double factor = 1.0;
   auto look_at = [&](Index item) {
@@ -92,18 +92,17 @@ namespace {
 /// Longest border edge as a fraction of the square root of the area of the smaller adjacent patch. A round
 /// patch of a regular mesh with 150 vertices has 0.09.
 constexpr double longest_border_edge = 0.15;
-/// No limit on their length is shorter than this.
+/// The limit on the length of border edges is never shorter than this.
 constexpr double finest_border_edge = 0.03;
-/// Between these, the fraction times the root of the mesh's mean angle defect.
+/// Between these two, the limit is this over the square root of the mesh's mean angle defect.
 constexpr double edge_by_defect = 0.013;
 /// Edges may be longer where the tables would have more entries than this for each vertex of the mesh:
 /// memory, and the work to fill them, grow with that number.
 constexpr double entries_per_vertex = 250.0;
-/// More for the first layer, its tables and the one between its borders; this many on a mesh of ordinary
-/// size.
+/// So many more for the first-layer tables and the transit table, on a mesh of ordinary size.
 constexpr double first_entries_per_vertex = 110.0;
-/// By how much longer in a step, and in how many steps at most: beside a border edge that is far longer than
-/// its share, single vertices would be off by tens of percent.
+/// By how much longer edges get in a step, and in how many steps at most: beside a border edge far longer
+/// than that, single vertices would be off by tens of percent.
 constexpr double longer_per_step = 1.1;
 constexpr int max_steps = 8;
 constexpr Index max_pieces = 32;
@@ -112,14 +111,14 @@ constexpr Index max_pieces = 32;
 /// fewer points, and an automatic partition is one patch.
 constexpr double hopeless_entries = 8.0;
 
-/// A border edge, and its length in roots of the area of the smallest adjacent patch.
+/// A border edge, and its length in square roots of the area of the smallest adjacent patch.
 struct BorderEdge {
   Index edge;
   double length;
   double piece_factor;  ///< see NearSaddles
 };
 
-/// How long pieces may be in those roots, away from saddle vertices and if tables have room.
+/// How long pieces may be, in the unit of BorderEdge::length, away from saddle vertices if tables have room.
 double wanted_length(const Mesh& mesh) {
   const double defect = mesh.mean_angle_defect();
   return defect > 0.0
@@ -129,7 +128,7 @@ double wanted_length(const Mesh& mesh) {
 
 /// How long pieces of border edges may be, and how many.
 struct PieceLength {
-  double longest;           ///< in those roots
+  double longest;           ///< in the unit of BorderEdge::length
   bool near_saddles;        ///< whether pieces near saddle vertices are shorter
   Index most = max_pieces;  ///< how many an edge may have
 };
@@ -221,14 +220,14 @@ double expected_entries(const Mesh& mesh, const Partition& partition, std::span<
   return entries / most_entries(mesh);
 }
 
-/// The longest pieces that may be.
+/// The longest pieces that are allowed.
 PieceLength longest_pieces(const Mesh& mesh) {
   return {wanted_length(mesh) * std::pow(longer_per_step, max_steps), false};
 }
 
-/// The finest pieces for which tables keep to their share, else the longest that may be, and fewer of an edge
-/// where tables would be hopeless even so. Where tables have no room for shorter pieces near saddle vertices,
-/// all are as long.
+/// The finest pieces for which tables keep to their share; if there are none, the same without shorter pieces
+/// near saddle vertices. Otherwise the longest that are allowed, and fewer of an edge if tables would be
+/// hopeless even so.
 PieceLength choose_pieces(const Mesh& mesh, const Partition& partition, std::span<const BorderEdge> borders) {
   for (const bool near_saddles : {true, false}) {
     PieceLength lengths{wanted_length(mesh), near_saddles};

@@ -1,4 +1,4 @@
-// The patches of an index by what their tables take, and how finely their borders are split.
+// The patches of an index, chosen by the size of their tables, and how finely their borders are split.
 #pragma once
 
 #include <vector>
@@ -18,18 +18,18 @@ namespace vorogeo {
 /// of the vertex's angle beyond 2 pi if that is less.
 class NearSaddles {
  public:
-  /// `longest`: what pieces away from saddle vertices may have, in roots of the area of a patch. The mesh
-  /// must outlive the object.
+  /// `longest`: greatest length of pieces away from saddle vertices, in square roots of the area of a patch.
+  /// The mesh must outlive the object.
   NearSaddles(const Mesh& mesh, double longest);
 
-  /// By how much shorter than elsewhere the pieces of an edge have to be, to miss no more: at most 1.
-  /// `size`: the root of the area of the patch. 1 on a surface without positions.
+  /// How long the pieces of an edge may be to miss no more than elsewhere, as a factor of their length there:
+  /// at most 1, and 1 on a surface without positions. `size`: square root of the area of the patch.
   double piece_factor(Index edge, double size) const;
 
  private:
   const Mesh& mesh_;
-  std::vector<Index> vertex_;  ///< those that may matter
-  std::vector<double> least_;  ///< the factor that their angle allows however near they are
+  std::vector<Index> vertex_;  ///< saddle vertices that may matter
+  std::vector<double> least_;  ///< by vertex: least factor, which its angle allows however near it is
   BoxTree tree_;
 };
 
@@ -48,14 +48,14 @@ double wanted_entries(const Mesh& mesh, const Partition& partition);
 
 // ---- The patches
 
-/// The partition that make_partition() chooses, or where its tables would take much, that with cells counted
-/// in edges if its tables are smaller: patches of a plate with deep holes then have the walls of needles
-/// inside, instead of a border around each hole. The whole mesh is one patch where there are few and tables
-/// would have no room for their borders, or any number and tables would take many times their share: the
-/// borders of such a mesh have so many vertices for its patches that tables err more and take longer to fill
-/// than some hundred exact fields and longer to read than to solve one. An index without borders has no
-/// tables; its near fields and near pairs are the whole answer, and exact. If the options ask for patches,
-/// they get the usual ones.
+/// The partition that make_partition() chooses; or if its tables would exceed their share, the one with cells
+/// counted in edges, if that has smaller tables: on a plate with deep holes, patches then contain the walls
+/// of needles instead of having a border around each hole. Each component is one patch if tables would take
+/// many times their share even with the longest pieces of borders, or on a mesh of few vertices more than
+/// their share, unless the metric jumps: such borders have so many vertices that tables err more, take longer
+/// to fill than some hundred exact fields, and longer to read than a field to solve. An index without borders
+/// has no tables; its near fields and near pairs are the whole answer, and exact. If the options ask for
+/// patches, they get the usual ones.
 Partition partition_for_index(const Mesh& mesh, const PartitionOptions& options, const Progress& progress);
 
 }  // namespace vorogeo

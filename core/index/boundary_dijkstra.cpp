@@ -200,8 +200,8 @@ void BoundaryDijkstra::settle(Index node, PatchRow from, double sum, double most
 
 namespace {
 
-/// A node is settled again only if a sum is below this part of its distance, and not for a path round the
-/// other side of a corner that unfolding makes a little shorter.
+/// A node is settled again only if a sum is below this part of its distance: not for a path round the other
+/// side of a corner that only unfolding makes shorter.
 constexpr float least_gain = 1.0f - 1e-4f;
 /// Rounds in which nodes are settled again; a few suffice unless tables contradict each other, and then a
 /// full search decides.
@@ -341,7 +341,7 @@ void FollowerSweep::settle(Index rank, std::uint32_t chosen, const Sums& sums) {
   float gain[Crossings::capacity];
   crossing_gains(crossings, 0.0f, gain);
   for_each_lane(chosen, [&](Index lane) {
-    // Not less than that of the predecessor.
+    // Not less than the distance of the predecessor.
     const float sum = sums.least[lane];
     const float distance = std::max(sum - gain[lane], std::min(sum, crossings.source[lane]));
     distance_[at(rank, lane)] = distance;
@@ -383,7 +383,7 @@ std::uint32_t FollowerSweep::run_round(bool over_later_parts) {
       moved_now_.push_back(patch_slot_[to.patch] + to.row);
     }
   }
-  // What moved in this round has been seen by the nodes behind it only.
+  // A node that changed in this round was seen only by nodes that come after it.
   for (Index slot : moved_last_) moved_[slot] = 0;
   for (Index slot : moved_now_) moved_[slot] = 1;
   std::swap(moved_last_, moved_now_);

@@ -17,7 +17,7 @@ namespace vorogeo {
 struct BorderCrossing {
   Index node = no_index;
   Index beside = no_index;
-  double part = 0.0;  ///< of that edge before the path
+  double part = 0.0;  ///< of that edge between the node and the path
   double gain = 0.0;
 
   /// Takes the edge to a neighbour if a path gains more there than on those that were offered before.
@@ -52,8 +52,8 @@ class BoundaryDijkstra {
   /// Settles all nodes within max_distance over the patches p with patch_allowed[p] != 0 (empty: all).
   void run(std::span<const std::uint8_t> patch_allowed = {}, double max_distance = unreachable);
 
-  /// Settles a single node with a given least sum, through a border node of one of its patches. `most`: what
-  /// its distance is known not to exceed.
+  /// Settles a single node with a given least sum, through a border node of one of its patches. `most`: an
+  /// upper bound of its distance.
   void settle(Index node, PatchRow from, double sum, double most = unreachable);
 
   double distance(Index node) const { return distance_[node]; }
@@ -112,9 +112,9 @@ class BoundaryDijkstra {
 /// (E(t) - r) = 2 r. One scan of the arcs with the leader's distances finds for each t the u that can matter
 /// to any of the sources, as a stretch of each piece of border. The sources then need no queue: nodes are
 /// taken in the leader's order, and the least sum of each over its stretches is its distance, corrected as by
-/// BoundaryDijkstra. The order of a source may differ for two nodes within about r of it, where an ordinary
-/// search is run, and where a path runs along a border: the stretches of a node also have nodes that come
-/// *later*. These are looked at in further rounds.
+/// BoundaryDijkstra. The order by distance from a source may differ from the leader's for two nodes within
+/// about r of the source, where an ordinary search is run, and where a path runs along a border: stretches of
+/// a node also have nodes that come *later* in the leader's order. Further rounds look at these.
 ///
 /// The layer must outlive it. One object belongs to one thread.
 class FollowerSweep {
@@ -123,8 +123,8 @@ class FollowerSweep {
 
   explicit FollowerSweep(const PatchLayer& layer) : layer_(layer), rank_(layer.node_count(), no_index) {}
 
-  /// Finds the stretches from a leader's search over the patches allowed (empty: all), for sources
-  /// for which the sum over an arc exceeds the distance by up to `slack`.
+  /// Finds the stretches from a leader's search over the patches allowed (empty: all), with all arcs over
+  /// which the leader's sum exceeds its distance by up to `slack`.
   void prepare(const BoundaryDijkstra& leader, std::span<const std::uint8_t> patch_allowed, double slack);
   /// Empties all lanes.
   void clear();
@@ -132,8 +132,8 @@ class FollowerSweep {
   bool has(Index node) const { return rank_[node] != no_index; }
   /// Gives a lane the distances up to `near` that a search from its source has found.
   void add(Index lane, const BoundaryDijkstra& search, double near);
-  /// Finds the others. \return the lanes, as bits, whose distances did not settle, or that miss a node which
-  /// the leader reached.
+  /// Finds the remaining distances. \return the lanes, as bits, whose distances did not settle, or that miss
+  /// a node which the leader reached.
   std::uint32_t run();
   double distance(Index node, Index lane) const {
     return has(node) ? static_cast<double>(distance_[at(rank_[node], lane)]) : unreachable;
@@ -170,9 +170,9 @@ class FollowerSweep {
   std::uint32_t lower_lanes(Index rank, const Sums& sums) const;
   /// Sets the distance of a node in some lanes: the sums, corrected where the path crosses.
   void settle(Index rank, std::uint32_t chosen, const Sums& sums);
-  /// What a node is worth as a predecessor: in a patch through which it was reached, nothing.
+  /// Sets the distance of a node as a predecessor: infinite in the patch through which it was reached.
   void set_above(Index node, Index lane, Index from_patch, float distance);
-  /// A round over stretches with nodes that moved, or over the later parts. \return lanes that changed.
+  /// A round over stretches with nodes that changed, or also over later parts. \return lanes that changed.
   std::uint32_t run_round(bool over_later_parts);
 
   const PatchLayer& layer_;
@@ -196,8 +196,7 @@ class FollowerSweep {
 
 /// Distances from a *leader* to all nodes, by a full search; and from the others, its *followers*, in one
 /// sweep over what the leader's distances leave possible (FollowerSweep). All but about one in a million of
-/// the distances are those of full searches, as unfolding keeps the triangle inequality nearly, not to the
-/// last bit.
+/// the distances equal those of full searches: unfolding keeps the triangle inequality only nearly.
 ///
 /// The layer must outlive it. One object belongs to one thread.
 class BatchDijkstra {
@@ -215,14 +214,14 @@ class BatchDijkstra {
 
  private:
   void search_all(Index source, std::span<const std::uint8_t> patch_allowed);
-  /// The followers, as many as there are lanes: where they are among the sources.
+  /// Finds the distances from `followers`, given by their positions in `sources`: at most one for each lane.
   void follow(std::span<const Index> sources, std::span<const std::size_t> followers,
               std::span<const std::uint8_t> patch_allowed, double near,
               const std::function<void(std::size_t i)>& done);
 
   BoundaryDijkstra search_;
   FollowerSweep sweep_;
-  Index lane_ = no_index;  ///< of sweep_, whose distances are read; no_index: search_ has them
+  Index lane_ = no_index;  ///< lane of sweep_ that distance() reads; no_index: it reads search_
 };
 
 /// First-layer nodes whose searches make a batch; a multiple of TransitTable::group_size, as both kinds

@@ -107,16 +107,16 @@ constexpr double seconds_per_transit_byte = 1.25e-7;
 constexpr double seconds_per_transit_byte_and_node = 1.75e-10;
 /// Of an entry of any table.
 constexpr double bytes_per_entry = sizeof(std::uint16_t);
-/// Part of the borders in parts of a mesh that is taken to be inside them, however few patches they have.
+/// At least this share of the borders is taken to be inside parts of a mesh, however few patches they have.
 constexpr double least_inside = 0.5;
-/// A field from the index: exact around the source, in a larger part than the runs from border vertices, then
-/// over all tables.
+/// A field from the index: its exact run around the source takes this many times as long as a run from a
+/// border vertex; then it reads all tables.
 constexpr double runs_near_source = 1.6;
 /// The exact part by points on edges, where the metric jumps.
 constexpr double seconds_near_source_of_jumps = 1.5e-2;
 constexpr double seconds_per_vertex = 1.2e-7;
 
-/// Faces around a few places, as a mesh of its own.
+/// Faces around a few evenly spaced ones, as a mesh of its own.
 std::shared_ptr<const Mesh> part_of(const Mesh& mesh) {
   std::vector<std::uint8_t> taken(mesh.face_count(), 0);
   std::vector<Index> faces;
@@ -132,7 +132,7 @@ std::shared_ptr<const Mesh> part_of(const Mesh& mesh) {
       for (; at < faces.size() && faces.size() < wanted; ++at) {
         for (Index h = 3 * faces[at]; h < 3 * faces[at] + 3; ++h) {
           for (Index g = mesh.next_around_edge(h); g != h; g = mesh.next_around_edge(g)) {
-            // Those behind a face of this part are its own to take.
+            // What lies behind a face already taken is left to that face.
             if (taken[Mesh::face_of(g)] != 0 || faces.size() >= wanted) break;
             taken[Mesh::face_of(g)] = 1;
             faces.push_back(Mesh::face_of(g));
@@ -159,8 +159,8 @@ std::shared_ptr<const Mesh> part_of(const Mesh& mesh) {
   return mesh_in_metric_of(mesh, std::move(positions), corners, std::move(sides));
 }
 
-/// The patches asked for that a part gets of a mesh with `scale` times its faces and so many first-layer
-/// patches: as dense as on the whole.
+/// The numbers of patches asked for, scaled for a part of a mesh with `scale` times its faces and so many
+/// first-layer patches: as dense as on the whole.
 PartitionOptions share_of(const PartitionOptions& asked, double first_patches, const Mesh& part,
                           double scale) {
   PartitionOptions share = asked;

@@ -19,14 +19,14 @@ void require_buildable(const Mesh& mesh, const IndexOptions& options);
 /// Memory that the tables of a laid out layer take, in bytes.
 std::int64_t table_bytes(const PatchLayer& layer);
 
-/// The memory an index may take, and the form that suits it. Entries in a file take none; then there is no
-/// limit unless one is given.
+/// The memory an index may take, and the form that suits it. Tables in a file take none of it; there is then
+/// no limit unless one is given.
 class MemoryBudget {
  public:
   explicit MemoryBudget(const IndexOptions& options, bool tables_in_file = false)
       : options_(options), tables_in_file_(tables_in_file) {}
 
-  /// The form of an index that takes so much with the transit table.
+  /// The form of an index that takes so many bytes with the transit table.
   IndexForm form_of(std::int64_t with_transit) const;
   /// The form for an index that is laid out but has no tables yet: the sizes of all tables follow from the
   /// layout. \throw InvalidInput if not even the tables that both forms need fit.
@@ -47,8 +47,8 @@ class MemoryBudget {
 
 // ---- Time
 
-/// Times are those of this machine with nothing else to do: parts of the work are done, and measured in time
-/// of the processor.
+/// Times are those of this machine with nothing else to do: parts of the work are done, and their processor
+/// time is measured.
 struct BuildEstimate {
   double build_seconds = 0.0;  ///< on the threads of the options
   double core_seconds = 0.0;   ///< the same as work of one core

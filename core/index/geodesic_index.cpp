@@ -33,7 +33,7 @@ void require_memory_for_layout(const Mesh& mesh) {
   require_memory(layout_bytes * mesh.vertex_count(), 0, "Laying out the patches of this mesh", memory_advice);
 }
 
-/// Tables that are not in a file, and those that are not yet written.
+/// For tables that are not in a file, and for drafts of those not yet written.
 void require_memory_for_tables(const IndexData& data, IndexForm form, bool in_file) {
   std::int64_t bytes = std::max(local_draft_bytes(data.second), composed_draft_bytes(data.first));
   if (!in_file) bytes += table_bytes(data.second) + table_bytes(data.first);
@@ -41,7 +41,7 @@ void require_memory_for_tables(const IndexData& data, IndexForm form, bool in_fi
   require_memory(static_cast<double>(bytes), 0, "Building the tables of this index", memory_advice);
 }
 
-/// The mesh and what is asked for, checked.
+/// An index with its mesh and its head, after mesh and options are checked.
 std::unique_ptr<IndexData> begin_data(std::shared_ptr<const Mesh> mesh, const IndexOptions& options,
                                       const Progress& progress) {
   require_buildable(*mesh, options);
@@ -59,16 +59,16 @@ std::unique_ptr<IndexData> begin_data(std::shared_ptr<const Mesh> mesh, const In
   return data;
 }
 
-/// A route passes fewer arcs of the first layer than patches of the second, by about the number of these in
-/// those: so pruning adds less than delta on average.
+/// Delta divided by the mean number of second-layer patches in a first-layer patch: a route passes about so
+/// many times fewer first-layer arcs than second-layer patches, so pruning adds less than delta on average.
 double delta_of_arcs(const IndexData& data, double delta) {
   return delta * std::max<Index>(1, data.first.patch_count) / std::max<Index>(1, data.second.patch_count);
 }
 
-/// Everything but the first steps. `file`: where the tables are filled; null: in memory.
+/// Builds all that begin_data() does not. `file`: where the tables are filled; null: in memory.
 void fill_data(IndexData& data, const IndexOptions& options, BuildFile* file, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
-  const double filled = file != nullptr ? 0.99 : 1.0;  // what is left is to be written
+  const double filled = file != nullptr ? 0.99 : 1.0;  // the rest is for writing the file
   require_memory_for_layout(*data.mesh);
   data.partition = partition_for_index(
       *data.mesh, {options.first_layer_patches, options.second_layer_patches, options.seed, options.threads},
@@ -107,7 +107,7 @@ void fill_data(IndexData& data, const IndexOptions& options, BuildFile* file, co
   data.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Any failed allocation as an error that says what to do.
+/// Turns any failed allocation into an error that says what to do.
 template <class Build>
 std::shared_ptr<const GeodesicIndex> building(Build&& build) {
   try {
@@ -135,7 +135,7 @@ std::shared_ptr<const GeodesicIndex> GeodesicIndex::build_in_file(const std::fil
                                                                   const Progress& progress) {
   return building([&]() -> std::shared_ptr<const GeodesicIndex> {
     auto data = begin_data(mesh, options, progress.part(0.0, 0.01));
-    std::error_code unknown;  // what cannot be looked at cannot be written either, and then says why
+    std::error_code unknown;  // a file that cannot be looked at cannot be written either, which then says why
     if (std::filesystem::exists(file, unknown)) {
       const Watch watch(progress.part(0.01, 1.0), "Loading the index");
       require_same(file, data->head);

@@ -30,9 +30,9 @@ class GeodesicIndex {
 
   /// The index of a mesh in a file, to which its tables are written as they are filled, and from which they
   /// are read: their memory is that of the system's file cache, and the memory budget does not count them. If
-  /// the file has the index of this mesh, it is loaded. If a build was stopped, whatever stopped it, this one
-  /// goes on from the parts that were filled; until then they are in NAME.unfinished. The file equals one
-  /// that save() writes, to the last bit.
+  /// the file has the index of this mesh, it is loaded. If an earlier build was stopped, by whatever, this
+  /// one goes on from the parts that it filled; until a build ends they are in NAME.unfinished. The file
+  /// equals one that save() writes, to the last bit.
   ///
   /// \throw as build(), and IndexFileError if the file cannot be written, or if it or the unfinished one is
   /// of another mesh or has other options.

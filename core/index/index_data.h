@@ -19,10 +19,10 @@
 
 namespace vorogeo {
 
-/// What an index is of and how it was asked for: the beginning of its file.
+/// The mesh and the options of an index: the beginning of its file.
 struct IndexHead {
-  /// Places of numbers: seed, pairs of border nodes of both layers, form (0: tables, 1: graph), patches asked
-  /// for, and a checksum of the places that tables have (checksum_of_layout).
+  /// Positions in `numbers`: seed, pairs of border nodes of both layers, form (0: tables, 1: graph), patches
+  /// asked for, and a checksum of the places that tables have (checksum_of_layout).
   enum Number { seed, pairs, form, first_patches, second_patches, layout };
 
   Fingerprint fingerprint;
@@ -43,7 +43,7 @@ struct IndexData {
   IndexStatistics statistics;
   Partition partition;  ///< of the user's faces
   InnerSurface surface;
-  std::shared_ptr<const LocalGeometry> geometry;  ///< of that
+  std::shared_ptr<const LocalGeometry> geometry;  ///< of the inner surface
   PatchLayer first;
   PatchLayer second;
   TransitTable transit_table;  ///< of the first layer
@@ -53,7 +53,7 @@ struct IndexData {
   std::vector<Index> home_patch;   ///< a second-layer patch of each place
   std::vector<Index> home_column;  ///< and its column among the members of that patch
 
-  /// Place of a second-layer border node among the members of its patch's first-layer patch, by
+  /// Column of a second-layer border node among the members of the first-layer patch around its patch, by
   /// second.slot(patch, row).
   std::vector<Index> parent_column;
 
@@ -93,7 +93,7 @@ struct IndexData {
   std::int64_t bytes() const;
   /// Fills in the statistics that are counted from the parts.
   void count();
-  /// And that the large tables lie in a file.
+  /// Fills in that the large tables lie in a file.
   void note_mapped_bytes();
 };
 

@@ -104,7 +104,7 @@ void IndexFileWriter::put(std::span<const std::byte> bytes) {
 
 void IndexFileWriter::finish() {
   out_.sync();
-  // In one call, so that the file begins either as one that is built or as an index.
+  // In one call, so that the file begins either as an unfinished one or as an index.
   out_.write(0, std::span(head_).first(std::min<std::size_t>(written_, head_.size())));
   out_.resize(written_);
   out_.finish();
@@ -176,7 +176,7 @@ void IndexFileReader::finish() {
 
 namespace {
 
-/// Puts blocks into the parts of an index.
+/// Reads blocks into the parts of an index.
 struct BlockReader {
   IndexFileReader& in;
   TableStorage storage = TableStorage::copied;
@@ -376,7 +376,7 @@ void require_same(const std::filesystem::path& file, const IndexHead& index) {
       "; remove it or name another file.");
 }
 
-// ---- Places of tables and records, and the last step, which makes an index file of it
+// ---- An unfinished file: places of tables and records, and the last step, which makes an index file of it
 
 namespace {
 
@@ -401,7 +401,7 @@ TableRooms rooms_in_memory(const IndexData& data) {
   return rooms;
 }
 
-/// How a file begins that is built.
+/// The beginning of an unfinished file.
 struct BuildFile::Head {
   std::array<char, 8> magic = build_magic;
   std::uint64_t version = build_version;
@@ -498,8 +498,8 @@ std::unique_ptr<IndexData> BuildFile::complete(const std::shared_ptr<const Mesh>
     return nullptr;
   }
   writing_index([&] {
-    // If the build was stopped in its last step, its records are still there. Some systems cut no file that
-    // is mapped.
+    // If the build was stopped in its last step, its records are still there. Some systems cannot cut a file
+    // that is mapped.
     if (out_->size() > end) {
       data.reset();
       out_->resize(end);
@@ -541,7 +541,7 @@ TableRooms BuildFile::rooms(const IndexData& data) {
   }
   writing_index([&] { out_->map(); });
   const std::span<std::byte> bytes = out_->mapped();
-  // Last, when all that it stands for is there: space, and records that say that nothing is filled.
+  // The head comes last, when what it stands for is there: space, and records of which none is filled.
   if (!is_begun_) std::memcpy(bytes.data(), &head, sizeof(head));
   is_begun_ = true;
   TableRooms rooms;

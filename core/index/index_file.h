@@ -33,8 +33,8 @@ struct BlockCount {
   bool holds(std::uint64_t count) const { return least <= count && count <= most; }
 };
 
-/// Calls visit(elements, count) for the blocks of a file in their order: all of them are written, read and
-/// given their places by this list. First, what the index is of.
+/// Calls visit(elements, count) for the blocks of a file in their order, by which they are written, read and
+/// placed. First, the mesh and the options of the index.
 template <class Head, class Visit>
 void for_each_head_block(Head& head, Visit&& visit) {
   visit(std::span(head.fingerprint.words), BlockCount::exactly(2));
@@ -92,8 +92,8 @@ class BlockPlaces {
   std::uint64_t end_ = 16;  ///< behind the head of the file
 };
 
-/// Writes the head of a file and its blocks. What lies at its place in the mapped file already is left there,
-/// and the first bytes come last, so that the file begins as an index only once it is complete.
+/// Writes the head of a file and its blocks. Contents already at their place in the mapped file are not
+/// written again. The first bytes come last: the file begins as an index only once it is complete.
 class IndexFileWriter {
  public:
   explicit IndexFileWriter(OutputFile& out);
@@ -167,8 +167,8 @@ class IndexFileReader {
   std::span<const std::byte> left_;  ///< what was not yet read
 };
 
-/// Of the places that rows and columns of the tables belong to. They follow from mesh and patches, but not in
-/// the same way in every version: distances in a file are worth nothing without their places.
+/// Checksum of the places that rows and columns of the tables belong to. They follow from mesh and patches,
+/// but not in the same way in every version: distances in a file are worth nothing without their places.
 std::uint64_t checksum_of_layout(const IndexData& data);
 
 /// Reads an index and ties it to its mesh; `in` is then behind its last block. \throw IndexFileError as
@@ -176,8 +176,8 @@ std::uint64_t checksum_of_layout(const IndexData& data);
 std::unique_ptr<IndexData> read_index(IndexFileReader& in, const std::filesystem::path& file,
                                       std::shared_ptr<const Mesh> mesh, TableStorage storage);
 
-// ---- The file of an index while it is built: its tables where they will be in the end, and behind them what
-// tells which are filled
+// ---- The file of an index while it is built: its tables where they will be in the end, and behind them
+// records of which are filled
 
 /// Where the tables of an index are filled.
 struct TableRooms {
@@ -195,8 +195,8 @@ TableRooms rooms_in_memory(const IndexData& data);
 /// IndexFileError if the file cannot be written.
 class BuildFile {
  public:
-  /// Opens what an earlier build has left, or makes a new file. \throw IndexFileError if that was of another
-  /// mesh or other options, or another process is building it.
+  /// Opens the file that an earlier build has left, or makes a new one. \throw IndexFileError if the old one
+  /// is of another mesh or other options, or another process is building it.
   BuildFile(const std::filesystem::path& file, const IndexHead& index);
 
   /// The index, if the file is complete but for its name, which it then gets; null if it is not, or is

@@ -53,11 +53,11 @@ struct IndexStatistics {
   /// Those that are left; in the form of tables, all.
   std::int64_t arcs = 0;
   std::int64_t bytes = 0;  ///< held in addition to the mesh: tables, graph, inner surface
-  /// Those of them that are pages of the file which the index was loaded from, shared by all processes.
+  /// The part of them in pages of the file that the index was loaded from, shared by all processes.
   std::int64_t mapped_bytes = 0;
   double seconds = 0.0;  ///< build time; 0 for an index that was loaded
-  /// Exact fields of the mesh in whose time the build was expected before its long part, where that is so
-  /// much (fields_to_warn) that an index hardly pays; 0 otherwise, and for an index that was loaded.
+  /// How many exact fields of the mesh take as long as the build was expected to, before its long part, if
+  /// these are so many (fields_to_warn) that an index hardly pays; 0 otherwise, and for a loaded index.
   double expected_fields = 0.0;
   double delta = 0.0;
   std::uint64_t seed = 0;

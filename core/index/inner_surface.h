@@ -30,7 +30,7 @@ struct InnerSurface {
   std::vector<Index> face;          ///< by user face
   std::vector<Index> user_face;     ///< by face; their corners are in the same order
   std::vector<Index> second_layer;  ///< second-layer patch by face, ascending
-  std::vector<EdgePoint> point;     ///< those on border edges, by edge and position: place vertex_count + i
+  std::vector<EdgePoint> point;     ///< points on border edges, by edge and position: place vertex_count + i
 
   Index vertex_count() const { return static_cast<Index>(user_vertex.size()); }
   Index place_count() const { return vertex_count() + static_cast<Index>(point.size()); }

@@ -1,4 +1,4 @@
-// The tables of a layer: exact runs from its nodes, or composed of those of the layer below.
+// The tables of a layer: by exact runs from its nodes, or composed from those of the layer below.
 #include "index/local_tables.h"
 
 #include <algorithm>
@@ -145,7 +145,7 @@ bool TableDraft::has_small_part(float greatest) {
   for (Index column = 0; column < columns_; ++column) {
     const float* from = line(column);
     for (Index row = 0; row < rows_; ++row) near[row] += from[row] > 0.0f && from[row] <= within ? 1 : 0;
-    // A path that passes several of these entries would be shorter by any part of itself.
+    // Rounding could shorten a path over several such entries by any part of it.
     if (column < rows_ && std::any_of(from, from + rows_, [&](float d) { return d > 0.0f && d < least; })) {
       return true;
     }
@@ -160,7 +160,7 @@ TableDraft::Units TableDraft::write(TableOrder order, std::uint16_t* table) {
                                          : TableScale::even(greatest, PatchLayer::greatest_entry);
   const auto rows = static_cast<std::size_t>(rows_);
   const Index width = width_of(order);
-  // The last columns of the order's width have no members.
+  // Columns behind the last member pad the last tile.
   for (Index column = 0; column < (columns_ + width - 1) / width * width; ++column) {
     if (column % columns_per_checkpoint == 0) checkpoint();
     std::uint16_t* to = table + column / width * rows * width + column % width;
@@ -206,7 +206,7 @@ void note_complete(PatchLayer& layer) {
 
 namespace {
 
-/// Places of the patches in a breadth-first order over touching patches.
+/// Positions of the patches in a breadth-first order over touching patches.
 std::vector<Index> places_in_wave(const PatchLayer& layer) {
   std::vector<Index> place(layer.patch_count, no_index);
   std::vector<Index> wave;
@@ -322,7 +322,7 @@ void TableFiller::write(Index patch) {
   const std::span<std::uint16_t> entries = entries_of(patch);
   const TableDraft::Units units = draft.write(layer_.order, entries.data());
   drafts_[patch].reset();
-  // Offsets are not kept in a record: the few patches with outliers are solved again.
+  // Records hold no offsets: a build that goes on solves the few patches with outliers again.
   if (units.offset.empty()) {
     const std::span<const std::byte> contents = std::as_bytes(entries);
     room_.note_filled(patch, {&contents, 1}, units.scale, units.complete);

@@ -1,4 +1,4 @@
-// The tables of a layer: exact runs from its nodes, or composed of those of the layer below.
+// The tables of a layer: by exact runs from its nodes, or composed from those of the layer below.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ struct PartRecord {
   std::uint64_t checksum = 0;  ///< of the entries of the part
   TableScale scale;
   std::uint16_t complete = 0;  ///< 1 if no entry is infinite
-  std::uint16_t filled = 0;    ///< 1 once all the rest is true; 0 in a new file
+  std::uint16_t filled = 0;    ///< 1 once the rest of the record is true; 0 in a new file
 };
 static_assert(sizeof(PartRecord) == 16);
 
@@ -37,7 +37,7 @@ class TableRoom {
   TableRoom() = default;
   /// In memory, with nothing filled. Pages that are never written take no memory.
   TableRoom(std::size_t entries, std::size_t parts);
-  /// In a file, which `owner` keeps mapped; what it says to be filled may come from an earlier build.
+  /// In a file, which `owner` keeps mapped; parts marked as filled come from an earlier build.
   TableRoom(std::span<std::uint16_t> entries, std::span<PartRecord> parts, std::shared_ptr<const void> owner);
 
   std::span<std::uint16_t> entries() const { return entries_; }
@@ -49,7 +49,7 @@ class TableRoom {
   /// Whether an earlier build filled a part and its contents have not changed since; otherwise it is marked
   /// as not filled.
   bool holds(std::size_t part, Contents contents) const;
-  /// Marks a part as filled, after its contents are written. They are read only in a file.
+  /// Marks a part as filled, after its contents are written; in a file they are read for the checksum.
   void note_filled(std::size_t part, Contents contents, TableScale scale, bool complete) const;
   /// The entries as the table of a finished index.
   SharedArray<std::uint16_t> shared() const { return {entries_, owner_}; }
@@ -87,7 +87,7 @@ class TableDraft {
   Units write(TableOrder order, std::uint16_t* table);
 
  private:
-  /// The greatest distance of a member that is not infinite.
+  /// The greatest finite distance of a member.
   float greatest_of(Index column);
   /// Subtracts the offsets of far members from their distances; returns the greatest distance of the others.
   /// What remains for far members is at most the greatest distance between two nodes, up to rounding.
@@ -121,15 +121,15 @@ class TableFiller {
   /// What is done with a draft before it is written.
   enum class Closure { symmetric, closed };
 
-  /// `groups`: nodes whose runs are made together, as of group_by_patches(). Parts of the room that an
+  /// `groups`: nodes whose runs are made together, as from group_by_patches(). Parts of the room that an
   /// earlier build filled are checked and kept. \throw Cancelled.
   TableFiller(PatchLayer& layer, TableRoom room, std::span<const Index> groups, Closure closure, int threads,
               const Progress& progress);
 
   /// The groups that are left to be run, in the order in which they should be.
   std::span<const Index> left() const { return left_; }
-  /// Calls work(group, worker) for each of them, which puts the rows of its nodes into drafts, and hands the
-  /// tables to the layer. `least`: part of the progress that came before.
+  /// Calls work(group, worker) for each group left, which puts the rows of its nodes into drafts; then hands
+  /// the tables to the layer. `least`: part of the progress that came before.
   template <class Work>
   void fill(int threads, const Progress& progress, double least, const char* phase, Work&& work) {
     const auto all = static_cast<double>(std::max<std::size_t>(1, groups_.size() - 1));
@@ -158,7 +158,7 @@ class TableFiller {
   std::span<std::uint16_t> entries_of(Index patch) const;
   /// Makes the drafts of the patches of a group.
   void begin(Index group);
-  /// All rows of a group are there.
+  /// Notes that all rows of a group are there, and writes the tables that are complete now.
   void finish(Index group);
   void write(Index patch);
 
@@ -183,7 +183,7 @@ std::int64_t greatest_draft_bytes(const PatchLayer& layer, std::span<const Index
 /// and pairs on real meshes.
 inline constexpr double table_growth = 1.2;
 
-/// Seconds of one core that fill_local_tables() will take, by a few of its runs.
+/// Seconds of one core that fill_local_tables() will take, estimated from a few of its runs.
 double expected_table_seconds(const IndexData& data, const Progress& progress);
 
 /// Fills the tables of the second layer of a laid out index by exact propagation from each border node inside

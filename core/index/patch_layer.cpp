@@ -1,4 +1,4 @@
-// A layer of patches: border nodes, members, and the places of their distances in tables.
+// A layer of patches: border nodes, members, and where tables hold their distances.
 #include "index/patch_layer.h"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ Lists<Index> patches_of_places(const InnerSurface& surface, std::span<const Inde
   return result;
 }
 
-/// Edges between two or more patches, or the pieces of these.
+/// An edge between two or more patches, or a piece of one.
 struct BorderPiece {
   Index edge;
   std::array<Index, 2> place;
@@ -131,7 +131,7 @@ void find_stretches(PatchLayer& layer) {
   }
 }
 
-/// Edges of whatever length hardly change it, if they are few.
+/// The median length, which a few edges of whatever length hardly change.
 double median_length(const std::vector<BorderNeighbour>& edges) {
   if (edges.empty()) return 0.0;
   std::vector<float> lengths;

@@ -1,4 +1,4 @@
-// A layer of patches: border nodes, members, and the places of their distances in tables.
+// A layer of patches: border nodes, members, and where tables hold their distances.
 #pragma once
 
 #include <algorithm>
@@ -55,8 +55,8 @@ struct TableScale {
 /// table has a graded scale.
 inline constexpr int least_small_part = 16;
 inline constexpr float small_part = 1.0f / 512.0f;
-/// So does one of two border nodes that are fewer steps of an even scale from each other: rounding would
-/// change their distance by a sixteenth or more.
+/// So does a border node that is fewer steps of an even scale from another one: rounding could change their
+/// distance by a sixteenth or more.
 inline constexpr float least_steps = 8.0f;
 
 struct InnerSurface;
@@ -146,7 +146,7 @@ struct PatchLayer {
     }
     return no_index;
   }
-  /// The same of a place; no_index also if it is on no border.
+  /// The same for a place; no_index also if it is on no border.
   Index row_in(Index place, Index patch) const {
     const Index node = place_node[place];
     return node == no_index ? no_index : row_of(node, patch);

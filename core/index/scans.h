@@ -13,7 +13,7 @@ namespace vorogeo {
 
 // ---- A min-plus scan for searches that are run side by side, compiled for several instruction sets
 
-/// Searches that are run side by side, each in a *lane*: numbers of one place for all of them are
+/// Searches that are run side by side, each in a *lane*: the numbers of all lanes for one node are
 /// consecutive.
 inline constexpr Index lane_count = 16;
 
@@ -26,8 +26,7 @@ void relax_lanes(const std::uint16_t* entries, TableScale scale, Index count, co
 // ---- Min-plus scans: the inner loops of tables, compiled for several instruction sets and chosen at run
 // time
 
-/// Sums over 16-bit entries are kept relative to a base, which counts as this; larger sums than the greatest
-/// are not less than what is known.
+/// Bases of 16-bit sums: the least distance has lowest_base; a least sum above greatest_least means none.
 inline constexpr float lowest_base = -32768.0f;
 inline constexpr std::int16_t greatest_least = -2;
 
@@ -45,7 +44,7 @@ struct IndexRange {
 };
 
 /// The smallest range that has all i in [0, count) with base[i] + distance(entries[i]) <= bound; here an
-/// infinite entry is treated as its number.
+/// infinite entry counts as its number.
 IndexRange range_within(const float* base, const std::uint16_t* entries, TableScale scale, float bound,
                         Index count);
 
@@ -84,16 +83,16 @@ float least_in_cell(const std::uint16_t* cell, Index rows, Index columns, const 
 // ---- Scans over lower bounds in small integers: the inner loops that select the table entries that two
 // points need
 
-// Bounds of 8 bits, whose sums saturate at 255. `lanes` is a multiple of byte_lanes: that many are read, in
-// rows of bounds also beyond their end; a lane that is not used has the base 255.
+// Bounds of 8 bits, whose sums saturate at 255. `lanes` is a multiple of byte_lanes: so many are read, also
+// beyond the end of a row of bounds; an unused lane has the base 255.
 inline constexpr Index byte_lanes = 32;
 
 /// The least base[lane] + bounds[row_size row + lane] over the lanes, by row; 255 for none.
 void least_byte_sums(const std::uint8_t* bounds, Index rows, Index row_size, const std::uint8_t* base,
                      Index lanes, std::uint8_t* least);
 
-/// Seeds of paths through a table of 15 bits (scans.h), as lanes: for each, its distance, the same as a
-/// bound, and its line in the table. Infinitely far ones are not used.
+/// Seeds of paths through a table of 15 bits, as lanes: for each, its distance, the same as a bound, and its
+/// line in the table. Infinitely far seeds are not used.
 struct SeedLanes {
   const float* distance;
   const std::uint8_t* bound;
@@ -103,9 +102,9 @@ struct SeedLanes {
 inline constexpr Index max_lanes = 512;
 
 /// Relaxes least[0 .. columns) by paths over the lanes that can matter: the lane of the least bound comes
-/// first, then those whose bounds[lane] allows less than `limit` and less than the greatest of least[first ..
-/// end). `table` is the first of the entries in line 0, `line_size` the length of a line; a bound of 1 stands
-/// for the distance bound_unit. \pre columns <= 8
+/// first, then those whose sum of bounds exceeds neither `limit` nor the greatest of least[first .. end).
+/// `table` is the first of the entries in line 0, `line_size` the length of a line; a bound of 1 stands for
+/// the distance bound_unit. \pre columns <= 8
 void relax_within(const SeedLanes& seeds, const std::uint8_t* bounds, const std::uint16_t* table,
                   Index line_size, TableScale scale, float bound_unit, float limit, Index columns,
                   Index first, Index end, float* least);
@@ -166,7 +165,7 @@ struct Crossings {
   }
 };
 
-/// crossing_gain() of each.
+/// Finds crossing_gain() of each.
 void crossing_gains(const Crossings& crossings, float lowest, float* gain);
 
 }  // namespace vorogeo

@@ -23,7 +23,7 @@ struct Landmarks {
   using Row = std::array<double, landmark_count>;
   std::vector<Row> row;  ///< by node; 0 for a landmark that does not reach it
 
-  /// The distances of a place from the landmarks, if its way out leads through these seeds.
+  /// The distances of a place from the landmarks, if all paths from it lead through these seeds.
   template <class Seeds>
   Row through(const Seeds& seeds) const {
     Row least;
@@ -43,7 +43,7 @@ struct Landmarks {
   std::size_t memory_bytes() const { return row.size() * sizeof(Row); }
 };
 
-/// Chooses landmarks by farthest points. `distances_from`: of all nodes from a node.
+/// Chooses landmarks by farthest points. `distances_from(node)`: the distances of all nodes from it.
 Landmarks place_landmarks(Index nodes, const std::function<std::vector<double>(Index node)>& distances_from,
                           const Progress& progress);
 

@@ -165,8 +165,8 @@ TableScale scale_of(float widest, bool is_graded) {
                    : TableScale::even(widest, TransitTable::greatest_entry);
 }
 
-/// One scale for the rows of all groups: graded, too, if a group reaches a small part of the
-/// widest distance only, as in a component much smaller than others.
+/// One scale for the rows of all groups: also graded if a group reaches only a small part of the widest
+/// distance, as in a component much smaller than others.
 TableScale common_scale(std::span<const TableScale> of_groups) {
   float widest = 0.0f;
   for (const TableScale& scale : of_groups) {
@@ -179,8 +179,9 @@ TableScale common_scale(std::span<const TableScale> of_groups) {
   return scale_of(widest, is_graded);
 }
 
-/// Writes the rows of the nodes of a group, shape (size(a), count), into its cells. `least`: by group, of a.
-/// Returns their scale: graded if a node has several others within a small part of the widest cell.
+/// Writes the rows of the nodes of a group, shape (size(a), count), into its cells. `least`: the least
+/// distances of `a`, by group. Returns their scale: graded if a node has several others within a small part
+/// of the widest cell.
 TableScale set_rows(const TransitTable& table, std::span<std::uint16_t> entries, std::span<float> least,
                     Index a, const float* rows) {
   const Index height = table.size(a);

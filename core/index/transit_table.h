@@ -64,18 +64,18 @@ std::int64_t transit_bytes(const PatchLayer& first, bool entries_in_file);
 
 /// Fills in the groups of the nodes, which follow from the layer alone.
 void group_nodes(const PatchLayer& first, TransitTable& table);
-/// Their number.
+/// The number of groups.
 std::uint64_t transit_group_count(const PatchLayer& first);
 
 /// Where the table is filled: first its rows, search by search, then the table of both directions, which may
 /// take their place.
 struct TransitRoom {
   TransitRoom() = default;
-  /// In memory, in one place.
+  /// In memory, where rows and table have the same place.
   explicit TransitRoom(const PatchLayer& first);
 
   TableRoom table;              ///< the entries of the finished table; its parts are not used
-  TableRoom rows;               ///< the entries of the rows; by batch of searches
+  TableRoom rows;               ///< the entries of the rows; its parts are batches of searches
   std::span<float> least;       ///< least distances of the rows; shape (groups, groups)
   std::span<TableScale> scale;  ///< of the rows, by group
   std::shared_ptr<const void> owner;

@@ -52,7 +52,7 @@ struct SideAngle {
   Number sine;
 };
 
-/// On the side of one neighbour: the angles of both directions with the border edge that leads to it.
+/// The angle on the side of one neighbour: the sum of both directions' angles with the border edge to it.
 template <class Number>
 VOROGEO_INLINE SideAngle<Number> side_angle(Number source, Number target,
                                             const BorderSample<Number>& neighbour, Number lowest) {
@@ -87,7 +87,7 @@ VOROGEO_INLINE bool may_be_one_path(const SideAngle<Number>& before, const SideA
 template <class Number>
 struct StraightCrossing {
   Number gain;  ///< by how much the sum over the vertex is longer; 0 if the line does not cross the edge
-  Number part;  ///< of the edge that lies before the line, if it crosses
+  Number part;  ///< of the edge between the vertex and the line, if they cross
 };
 
 // Let s and t be the distances of source and target from the vertex, and phi the sum of the angles of both
