@@ -26,7 +26,8 @@ void MinCut::join(Index a, Index b, std::int64_t capacity) {
   first_[b] = static_cast<Index>(arcs_.size()) - 1;
 }
 
-/// Numbers of arcs with room to the sink, of nodes nearer to it than the source; whether the source has one.
+/// Sets the levels of nodes nearer to the sink than the source: how many arcs with room lead from each to the
+/// sink. \return whether the source reaches it.
 bool MinCut::find_levels() {
   level_.assign(first_.size(), -1);
   queue_.assign(1, sink);
@@ -101,23 +102,22 @@ void MinCut::find_reached() {
 
 namespace {
 
-/// Every border is cut this many times, since its neighbours change it.
+/// Every border is cut this many times, since cuts of its neighbours change it.
 constexpr int cut_rounds = 2;
-/// Share of a patch's faces that one of its borders may give away, and most of them: the cost of a cut grows
-/// faster than its band.
+/// Share of a patch's faces that one of its borders may give away, and their greatest number: the time of a
+/// cut grows faster than its band.
 constexpr double band_share = 0.25;
 constexpr std::size_t max_band = 2000;
 /// Costs are whole numbers of this part of a piece.
 constexpr double cost_unit = 1.0 / 16.0;
-/// Of an edge: enough to keep borders off edges of any length, and sums off the end of integers.
+/// Greatest cost of an edge: enough to keep borders off it, and sums far below the greatest integer.
 constexpr double greatest_cost = 1e6;
 /// Length of a piece, in roots of a patch's area: between the finest and the longest border edges.
 constexpr double cost_piece = 0.065;
 /// Around an edge with more faces, each looks at the next one only.
 constexpr std::size_t most_around = 64;
 
-/// Calls visit(face, sees) for other faces at the edge of a half-edge; `sees`: whether they see this one,
-/// too.
+/// Calls visit(face, sees) for other faces at the edge of a half-edge; `sees`: whether they visit it, too.
 template <class Visit>
 void for_faces_around(const Mesh& mesh, Index h, Visit&& visit) {
   std::array<Index, most_around> around;

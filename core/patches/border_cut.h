@@ -37,7 +37,7 @@ class MinCut {
   };
   bool find_levels();
   std::int64_t send();
-  /// Which nodes the source reaches by arcs with room.
+  /// Finds which nodes the source reaches by arcs with room.
   void find_reached();
 
   std::vector<Index> first_;  ///< arc, by node
@@ -54,7 +54,7 @@ class MinCut {
 /// Moves the border between each two patches to where it is short and has few vertices: round needles rather
 /// than along them, straight rather than ragged. The number of exact runs is that of border vertices, and
 /// tables grow with their square. An edge costs the points it takes (one, or more where it is long) and its
-/// length. Most faces of a patch stay, so that none vanishes.
+/// length. Most faces of a patch stay in it, so that no patch vanishes.
 ///
 /// Keeps its memory between calls; one object belongs to one thread. The mesh must outlive it.
 class BorderCut {
@@ -62,7 +62,7 @@ class BorderCut {
   explicit BorderCut(const Mesh& mesh);
 
   /// Changes label[f], a number below `labels`, for some of the faces f in `faces`, from one patch to a patch
-  /// beside it; other faces are not looked at. `faces_per_patch`: of a patch of the second layer, whose size
+  /// beside it; other faces are not looked at. `faces_per_patch`: faces of a second-layer patch, whose size
   /// says from which length on an edge takes several points. Complexity: about O(faces) for patches of some
   /// hundred faces.
   void shorten(std::span<const Index> faces, Index labels, double faces_per_patch, const Outliers& outliers,

@@ -34,7 +34,7 @@ std::size_t Halo::for_ring(const std::vector<Index>& list, std::size_t begin, st
       const auto corners = mesh_.corners(v);
       if (corners.size() > greatest_fan) {
         for (Index side : {corner, Mesh::previous_in_face(corner)}) {
-          // The next face taken already has its turn, too, and walks on from there.
+          // A next face that was taken before is in the list itself, and the ring goes on from there.
           for (Index h = mesh_.next_around_edge(side); h != side; h = mesh_.next_around_edge(h)) {
             if (list.size() >= max_faces) return end;
             if (!visit(Mesh::face_of(h))) break;

@@ -28,14 +28,13 @@ class Halo {
   static constexpr std::size_t greatest_fan = 1000;
 
   /// Marks the patches and a rim around them; earlier marks are cleared. A ring of faces is taken whole,
-  /// unless that would make the rim much larger than asked for. At a hub of needles it goes on to the next
-  /// one on either side only: the others may be most of the mesh, and would leave no room for those beside
-  /// the patches. Of the many faces at an edge of a hub, some may come a ring later. Complexity: O(faces
-  /// marked), plus the faces at the vertex where a ring is cut short.
+  /// unless that would make the rim much larger than asked for. At a hub of needles, a ring takes only the
+  /// next face on either side: all faces at the hub may be most of the mesh, and would leave no room for
+  /// faces beside the patches. Of the many faces at an edge of a hub, some may come a ring later. Complexity:
+  /// O(faces marked), plus the faces at the vertex where a ring is cut short.
   void surround(std::span<const Index> patches, double growth = default_growth);
-  /// Marks also what is within some rings of faces around the given faces, up to about `max_faces` faces: the
-  /// last ring is taken whole unless it is much larger. To be called once after surround(). Complexity: as
-  /// there.
+  /// Also marks the faces within some rings around given faces, up to about `max_faces` faces: the last ring
+  /// is taken whole unless it is much larger. To be called once after surround(). Complexity: as surround().
   void widen(std::span<const Index> around, int rings, std::size_t max_faces);
   /// Not 0 for the marked faces. Shape (faces).
   std::span<const std::uint8_t> mask() const { return mask_; }
@@ -43,9 +42,9 @@ class Halo {
   std::span<const Index> faces() const { return faces_; }
 
  private:
-  /// Calls visit(face) for the faces at the vertices of the faces list[begin ...], which adds a face to the
-  /// list and is true unless it is there already, until it has `max_faces` faces; returns the size that the
-  /// list had at first.
+  /// Calls visit(face) for the faces at the vertices of the faces list[begin ...] until the list has
+  /// `max_faces` faces. visit() adds a face to the list and returns true, or false if it is there already.
+  /// Returns the size that the list had at first.
   template <class Visit>
   std::size_t for_ring(const std::vector<Index>& list, std::size_t begin, std::size_t max_faces,
                        Visit&& visit);

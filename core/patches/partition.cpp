@@ -20,8 +20,8 @@ namespace vorogeo {
 
 namespace {
 
-/// Renumbers the labels of some faces from 0 on, in their order, without gaps. `labels`: all are below.
-/// \return how many there are.
+/// Renumbers the labels of some faces from 0 on, in their order, without gaps. `labels`: all labels are below
+/// it. \return how many there are.
 Index compact(std::vector<Index>& label, std::span<const Index> faces, Index labels) {
   std::vector<Index> renamed(labels, no_index);
   for (Index f : faces) renamed[label[f]] = 0;
@@ -39,8 +39,8 @@ Index compact(std::vector<Index>& label, std::span<const Index> faces, Index lab
 
 namespace {
 
-/// The colours of Okabe and Ito, which people who see fewer colours can tell apart, and a dark red. None is
-/// grey: grey is what no path reaches.
+/// The colours of Okabe and Ito, which also colour-blind people tell apart, and a dark red. None is grey:
+/// grey is what no path reaches.
 std::vector<Rgb> first_colors() {
   return {{230, 159, 0}, {86, 180, 233}, {0, 158, 115},   {240, 228, 66},
           {0, 114, 178}, {213, 94, 0},   {204, 121, 167}, {140, 0, 20}};
@@ -125,7 +125,7 @@ struct PatchSizes {
   /// Vertices of a second-layer patch. Smaller patches make build and answers faster, larger ones take fewer
   /// bytes, and fewer crossings.
   double second_layer_vertices;
-  /// Second-layer patches that a first-layer patch has at least, which counts on small meshes.
+  /// Least number of second-layer patches in a first-layer patch, which matters on small meshes.
   double least_patches_per_parent;
 };
 constexpr PatchSizes usual_sizes{150.0, 8.0};

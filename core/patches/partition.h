@@ -33,18 +33,17 @@ struct Partition {
   Index second_layer_count = 0;
 };
 
-/// First-layer patches that make_partition() aims at on a mesh, or on one like it with so many vertices.
+/// Number of first-layer patches that make_partition() aims at on a mesh like this one with so many vertices.
 Index planned_first_layer(const Mesh& mesh, double vertices, const PartitionOptions& options);
 
-/// How much more the tables of the first layer take for each vertex of a mesh than on meshes of ordinary size
-/// (1): its patches become more and larger, both with the cube root of the mesh.
+/// How many times as much the first-layer tables and the transit table take per vertex as on meshes of
+/// ordinary size: the number of first-layer patches and the length of their borders both grow with the cube
+/// root of the mesh's size.
 double first_layer_growth(double vertices);
 
 /// Splits the faces into first-layer patches and each of these into second-layer patches. The same for a seed
 /// whatever the number of threads. \throw InvalidInput for a mesh without faces or more patches than faces.
 Partition make_partition(const Mesh& mesh, const PartitionOptions& options, const Progress& progress);
-
-// ---- Renumbering patches, and joining faces into one
 
 // ---- Colours for patches, different for neighbours
 

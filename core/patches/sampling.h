@@ -32,7 +32,7 @@ class Front {
   /// \throw Cancelled at a checkpoint. Complexity: O(n) for n vertices reached and faces at them.
   void grow(std::span<const Index> sources, std::span<const std::uint8_t> face_allowed);
 
-  /// In lengths or edges; `unreachable` if the front did not get there.
+  /// In lengths or edges; `unreachable` if the front did not reach the vertex.
   double distance(Index vertex) const { return distance_[vertex]; }
   /// Position in `sources` of the one that a vertex belongs to; no_index if there is none.
   Index source(Index vertex) const { return source_[vertex]; }
@@ -78,8 +78,8 @@ class Sampler {
   void reset();
   template <class Visit>
   void for_each_neighbour(Index v, Visit&& visit) const;
-  /// Breadth-first over the edges of the part: lowers the counts of edges to those from the front, whose
-  /// vertices have 0; vertices for which `enters(from, to)` is false are not entered from there.
+  /// Breadth-first search over the edges of the part: lowers the edge counts to those from the front, whose
+  /// vertices have 0; does not enter `to` from `from` where enters(from, to) is false.
   template <class Enters>
   void grow(std::vector<Index> front, Enters&& enters);
 
