@@ -259,8 +259,7 @@ double wanted_entries(const Mesh& mesh, const Partition& partition) {
 
 namespace {
 
-/// With more vertices than this, an exact run takes long beside an answer of tables: a tenth of a second on
-/// needles.
+/// Over more vertices than this, an exact run takes long beside tables: a tenth of a second on needles.
 constexpr Index few_vertices = 10000;
 /// Another partition has to have fewer than this part of the entries of the usual one.
 constexpr double worth_changing = 0.9;

@@ -26,7 +26,7 @@ namespace {
 constexpr const char* memory_advice =
     "Close other programs, use fewer threads, or build the index of a smaller mesh.";
 
-/// What a vertex of the mesh takes for patches and the inner surface, in bytes.
+/// Bytes that patches and the inner surface take per vertex of the mesh.
 constexpr double layout_bytes = 1000.0;
 
 void require_memory_for_layout(const Mesh& mesh) {

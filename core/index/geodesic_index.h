@@ -18,7 +18,7 @@ struct IndexData;
 /// in memory of its own.
 enum class TableStorage { mapped, copied };
 
-/// Two layers of geodesic Voronoi patches with local exact tables and the graph between them.
+/// Two layers of geodesic Voronoi patches with their tables, and the transit table or a graph between them.
 class GeodesicIndex {
  public:
   /// Builds the index of a mesh. \throw InvalidInput (no face, delta, patch counts or budget out of range,

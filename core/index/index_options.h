@@ -50,7 +50,7 @@ struct IndexStatistics {
   IndexForm form = IndexForm::tables;
   /// Pairs of border vertices of one patch, of both layers.
   std::int64_t arcs_before_pruning = 0;
-  /// Those that are left; in the form of tables, all.
+  /// Those left after pruning; in the form of tables, all.
   std::int64_t arcs = 0;
   std::int64_t bytes = 0;  ///< held in addition to the mesh: tables, graph, inner surface
   /// The part of them in pages of the file that the index was loaded from, shared by all processes.

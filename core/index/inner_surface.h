@@ -107,7 +107,7 @@ struct FacePiece {
   std::array<double, 3> weights;  ///< of the point among these places
   std::array<double, 3> length;   ///< of the side from each place to the next
 
-  /// From the distances of the three places from one source. See distance_in_triangle().
+  /// The point's distance from a source, by those of the three places. See distance_in_triangle().
   double distance(const std::array<double, 3>& at_places) const {
     return distance_in_triangle(length, weights, at_places);
   }

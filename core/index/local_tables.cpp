@@ -374,7 +374,7 @@ class GroupSolver {
     solver_.run(std::span(&source, 1), limits);
   }
 
-  /// From the node that was solved last.
+  /// Distance from the node that was solved last.
   double distance(Index place) const {
     return surface_.at_place(place, [&](const auto& target) { return solver_.distance(target); });
   }

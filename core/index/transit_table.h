@@ -71,7 +71,7 @@ std::uint64_t transit_group_count(const PatchLayer& first);
 /// take their place.
 struct TransitRoom {
   TransitRoom() = default;
-  /// In memory, where rows and table have the same place.
+  /// In memory, which rows and table share.
   explicit TransitRoom(const PatchLayer& first);
 
   TableRoom table;              ///< the entries of the finished table; its parts are not used

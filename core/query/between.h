@@ -90,7 +90,7 @@ class ExactBetween {
   const Mesh& mesh_;  ///< the user's
   bool can_prove_;
   std::optional<LocalSolver> solver_;  ///< made when first needed
-  std::optional<Halo> halo_;           ///< likewise
+  std::optional<Halo> halo_;           ///< made when first needed
 };
 
 }  // namespace vorogeo

@@ -1,4 +1,4 @@
-// The steps of a field, and what is read from them.
+// The steps of a field from an index, and the values read from it.
 #include "query/index_field.h"
 
 #include <algorithm>

@@ -76,7 +76,7 @@ class Funnel {
 
 // ---- A strip of faces unfolded piece by piece, and the shortest line in it
 
-/// From one face of a strip to the next.
+/// The crossing from one face of a strip to the next.
 struct UnfoldedCrossing {
   Index exit;   ///< half-edge of the face that is left
   Index entry;  ///< half-edge of the face that is entered, on the same edge

@@ -19,8 +19,8 @@ class RouteUnfolder {
 
   /// Length of the path along a route from source to target that crosses each border anywhere on the border
   /// edges at the route's node instead of at the node itself. At each crossing, distances are kept for the
-  /// node and its border neighbours; they belong to the same wave, so no guard is needed. Complexity: O(nodes
-  /// of the route).
+  /// node and its border neighbours; they belong to the same wave, so their predecessors need no check.
+  /// Complexity: O(nodes of the route).
   double length(const GraphRoute& route, const RoutedPlace& source, const RoutedPlace& target);
 
   /// A border node near the route: the route's own node first, then its border neighbours.

@@ -1,4 +1,4 @@
-// The choice for each question, and the queries that answer it.
+// Chooses what answers each question, and lends the queries that do.
 #include "query/surface.h"
 
 #include <algorithm>

@@ -164,7 +164,7 @@ class Surface {
   const int threads_;
   mutable std::mutex mutex_;      ///< guards what has no mutex of its own, held for moments
   std::timed_mutex build_mutex_;  ///< one build at a time
-  std::mutex geometry_mutex_;     ///< likewise
+  std::mutex geometry_mutex_;     ///< one geometry at a time
   std::shared_ptr<const GeodesicIndex> index_;
   RentOrBuy spent_;
   std::shared_ptr<const LocalGeometry> geometry_;  ///< guarded by geometry_mutex_
