@@ -21,7 +21,7 @@ namespace vorogeo {
 namespace {
 
 /// The angle defect of a vertex from which on a line begins there.
-constexpr double same_direction = 1e-7;
+constexpr double least_defect = 1e-7;
 /// Distances that differ by less, relative to them, are equal.
 constexpr double equal_waves = 1e-10;
 /// Places up to this far off a line, relative to the longest side of the face, are on it.
@@ -214,7 +214,7 @@ class LineGraph {
 
   bool begins_line(Index vertex) const {
     return mesh_.fan(vertex) == Mesh::Fan::closed && !state_.is_source(vertex) &&
-           mesh_.total_angle(vertex) < 2.0 * std::numbers::pi - same_direction;
+           mesh_.total_angle(vertex) < 2.0 * std::numbers::pi - least_defect;
   }
 
   void find_meetings(Index face) {

@@ -348,18 +348,18 @@ void WaveTree::find_arrivals() {
     const Origin turn = turns.of(part);
     return turn.kind == Origin::source || (turn.kind == Origin::vertex && is_reached[turn.id]);
   };
-  bool has_to = false;  // no waiting vertex was reached: the next takes any arrival
+  bool takes_any = false;  // no waiting vertex was reached: the next takes any arrival
   for (Index done = 0; !waiting.empty(); waiting.swap(still_waiting)) {
     still_waiting.clear();
     for (const Index v : waiting) {
       if (++done % elements_per_checkpoint == 0) checkpoint();
       arrivals_[v] = arrival_from(v, comes_from_reached);
-      if (arrivals_[v] == no_index && has_to) arrivals_[v] = arrival_from(v, [](Index) { return true; });
-      is_reached[v] = arrivals_[v] != no_index || has_to;
-      has_to = has_to && !is_reached[v];
+      if (arrivals_[v] == no_index && takes_any) arrivals_[v] = arrival_from(v, [](Index) { return true; });
+      is_reached[v] = arrivals_[v] != no_index || takes_any;
+      takes_any = takes_any && !is_reached[v];
       if (!is_reached[v]) still_waiting.push_back(v);
     }
-    has_to = still_waiting.size() == waiting.size();
+    takes_any = still_waiting.size() == waiting.size();
   }
 }
 

@@ -26,8 +26,8 @@ void MinCut::join(Index a, Index b, std::int64_t capacity) {
   first_[b] = static_cast<Index>(arcs_.size()) - 1;
 }
 
-/// Sets the levels of nodes nearer to the sink than the source: how many arcs with room lead from each to the
-/// sink. \return whether the source reaches it.
+/// Sets the levels of nodes nearer to the sink than the source: how many arcs with residual capacity lead
+/// from each to the sink. \return whether the source reaches it.
 bool MinCut::find_levels() {
   level_.assign(first_.size(), -1);
   queue_.assign(1, sink);
@@ -36,7 +36,7 @@ bool MinCut::find_levels() {
     const Index node = queue_[i];
     for (Index a = first_[node]; a != no_index; a = arcs_[a].next) {
       const Index from = arcs_[a].to;
-      if (arcs_[a ^ 1].room == 0 || level_[from] >= 0) continue;
+      if (arcs_[a ^ 1].residual == 0 || level_[from] >= 0) continue;
       level_[from] = level_[node] + 1;
       if (from == source) return true;
       queue_.push_back(from);
@@ -52,7 +52,8 @@ std::int64_t MinCut::send() {
   path_.clear();
   for (Index at = source;;) {
     Index& a = next_arc_[at];
-    while (a != no_index && (arcs_[a].room == 0 || level_[arcs_[a].to] != level_[at] - 1)) a = arcs_[a].next;
+    while (a != no_index && (arcs_[a].residual == 0 || level_[arcs_[a].to] != level_[at] - 1))
+      a = arcs_[a].next;
     if (a == no_index) {
       if (path_.empty()) return total;
       // A dead end: the arc that led here is passed over from now on.
@@ -65,14 +66,14 @@ std::int64_t MinCut::send() {
     at = arcs_[a].to;
     if (at != sink) continue;
     std::int64_t sent = std::numeric_limits<std::int64_t>::max();
-    for (Index arc : path_) sent = std::min(sent, arcs_[arc].room);
+    for (Index arc : path_) sent = std::min(sent, arcs_[arc].residual);
     for (Index arc : path_) {
-      arcs_[arc].room -= sent;
-      arcs_[arc ^ 1].room += sent;
+      arcs_[arc].residual -= sent;
+      arcs_[arc ^ 1].residual += sent;
     }
     total += sent;
     // The next path leaves this one where it is full.
-    const auto full = std::ranges::find_if(path_, [&](Index arc) { return arcs_[arc].room == 0; });
+    const auto full = std::ranges::find_if(path_, [&](Index arc) { return arcs_[arc].residual == 0; });
     at = arcs_[*full ^ 1].to;
     path_.erase(full, path_.end());
   }
@@ -91,7 +92,7 @@ void MinCut::find_reached() {
   beside_source_[source] = 1;
   for (std::size_t i = 0; i < queue_.size(); ++i) {
     for (Index a = first_[queue_[i]]; a != no_index; a = arcs_[a].next) {
-      if (arcs_[a].room == 0 || beside_source_[arcs_[a].to] != 0) continue;
+      if (arcs_[a].residual == 0 || beside_source_[arcs_[a].to] != 0) continue;
       beside_source_[arcs_[a].to] = 1;
       queue_.push_back(arcs_[a].to);
     }

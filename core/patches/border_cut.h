@@ -33,11 +33,11 @@ class MinCut {
   struct Arc {
     Index to;
     Index next;  ///< of the same node
-    std::int64_t room;
+    std::int64_t residual;
   };
   bool find_levels();
   std::int64_t send();
-  /// Finds which nodes the source reaches by arcs with room.
+  /// Finds which nodes the source reaches by arcs with residual capacity.
   void find_reached();
 
   std::vector<Index> first_;  ///< arc, by node

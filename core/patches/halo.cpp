@@ -62,8 +62,7 @@ void Halo::surround(std::span<const Index> patches, double growth) {
   for (Index f : faces_) mask_[f] = 0;
   faces_.clear();
   for (Index p : patches) {
-    for (Index i = face_begin_[p]; i < face_begin_[p + 1]; ++i) {
-      const Index f = i;
+    for (Index f = face_begin_[p]; f < face_begin_[p + 1]; ++f) {
       mask_[f] = surrounded;
       faces_.push_back(f);
     }

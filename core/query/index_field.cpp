@@ -9,7 +9,7 @@ namespace vorogeo {
 
 /// Separates the sources on the inner surface from isolated ones. All are checked before anything changes.
 void IndexField::take_sources(std::span<const ExactSource> given, double max_distance) {
-  if (given.empty()) throw InvalidInput("There is no source; give at least one.");
+  if (given.empty()) throw InvalidInput("There is no source: give at least one.");
   require_limit(max_distance);
   sources_.clear();
   number_.clear();

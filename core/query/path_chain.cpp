@@ -33,11 +33,7 @@ double path_along_edges(const Mesh& mesh, Index start, Index goal, std::vector<P
     Index from;  ///< vertex that this edge leaves
   };
   const Point& end = mesh.position(goal);
-  auto straight = [&](Index v) {
-    const Point& p = mesh.position(v);
-    const double x = p[0] - end[0], y = p[1] - end[1], z = p[2] - end[2];
-    return mesh.straight_scale() > 0.0 ? mesh.straight_scale() * std::sqrt(x * x + y * y + z * z) : 0.0;
-  };
+  auto straight = [&](Index v) { return mesh.straight_bound(mesh.position(v), end); };
   std::unordered_map<Index, Reached> reached{{start, {0.0, no_index, no_index}}};
   std::priority_queue<Entry> queue;
   queue.push({straight(start), start});

@@ -162,14 +162,14 @@ class Surface {
   const std::shared_ptr<const Mesh> mesh_;
   const IndexOptions options_;
   const int threads_;
-  mutable std::mutex mutex_;      ///< guards what has no mutex of its own, held for moments
-  std::timed_mutex build_mutex_;  ///< one build at a time
-  std::mutex geometry_mutex_;     ///< one geometry at a time
+  std::timed_mutex build_mutex_;  ///< one build of the index at a time
+  std::mutex geometry_mutex_;     ///< guards geometry_, also while it is made
+  std::shared_ptr<const LocalGeometry> geometry_;
+  std::mutex reversed_mutex_;          ///< guards reversed_, also while it is made
+  std::unique_ptr<Surface> reversed_;  ///< has a copy of the mesh
+  mutable std::mutex mutex_;           ///< guards all below; held for moments
   std::shared_ptr<const GeodesicIndex> index_;
   RentOrBuy spent_;
-  std::shared_ptr<const LocalGeometry> geometry_;  ///< guarded by geometry_mutex_
-  std::mutex reversed_mutex_;
-  std::unique_ptr<Surface> reversed_;  ///< guarded by reversed_mutex_; has a copy of the mesh
   std::shared_ptr<const ExactLandmarks> landmarks_;
   std::optional<double> area_;
   std::optional<double> field_seconds_;       ///< of an exact field, once it was estimated
