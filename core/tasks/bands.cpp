@@ -15,10 +15,10 @@ namespace vorogeo {
 
 namespace {
 
-/// Sides of parts at the border, in the width; and in turn those of parts where the border is no arc.
+/// The width over the sides of parts at the border, and these over the sides where the border is no arc.
 constexpr double parts_per_width = 16.0;
 constexpr double parts_per_part = 16.0;
-/// Height in the chord up to which a border with a kink counts as an arc: that of a turn by 0.02.
+/// A border whose kink is no higher than this fraction of its chord counts as an arc: that of a turn by 0.02.
 constexpr double small_kink = 0.005;
 
 /// An arc of a circle by its chord and its height above the chord's middle, which is negative below it.
@@ -26,7 +26,7 @@ struct Arc {
   double chord;
   double height;
 
-  /// The tangent of a quarter of its angle: of half a circle at most.
+  /// The tangent of a quarter of its angle, clamped to that of half a circle.
   double quarter() const { return std::clamp(2.0 * height / chord, -1.0, 1.0); }
   /// Between the arc and its chord. The series is exact to rounding where the formula cancels.
   double area() const {
@@ -48,7 +48,7 @@ class BandSum {
  public:
   using DistanceAt = std::function<double(const SurfacePoint&)>;
 
-  /// A face of which no corner has a distance lies outside.
+  /// A face none of whose corners has a distance lies outside.
   BandSum(const Mesh& mesh, double width, DistanceAt distance_at)
       : mesh_(mesh),
         width_(width),
@@ -90,13 +90,13 @@ class BandSum {
     return corner;
   }
 
-  /// More than rounding beyond the border counts as outside, so that the faces of an edge along it agree.
+  /// Points beyond the border by rounding count as inside, so that both faces of an edge along it agree.
   bool is_inside(const Corner& corner) const { return corner.distance <= width_ * (1.0 + 1e-12); }
   double crossing_between(const Corner& a, const Corner& b) const {
     return crossing(a.distance, b.distance, distance_between(a, b), width_, Interpolation::distance);
   }
-  /// Where the border crosses a side: as in the plane, and once more between that place and the end beyond
-  /// it.
+  /// Where the border crosses a side: as in the plane, then once more from there to the end across the
+  /// border.
   Corner on_side(const Corner& a, const Corner& b, double& fraction) const {
     const double first = crossing_between(a, b);
     const Corner there = between(a, b, first);
@@ -108,7 +108,7 @@ class BandSum {
 
   /// `share`: of the face's area.
   void add(const Part& part, double share) {
-    // No point of a triangle is farther from its nearest corner than this.
+    // No point of a triangle is farther from its nearest corner than the longest side over the root of three.
     int longest = 0;
     double side = -1.0;
     for (int i = 0; i < 3; ++i) {
@@ -132,8 +132,7 @@ class BandSum {
     add({middle, part[(longest + 1) % 3], apex}, 0.5 * share);
   }
 
-  /// By how much distances grow for each unit of length across the border: 1, but in a metric that goes one
-  /// way.
+  /// By how much distances grow per unit of length across the border: 1, except in a one-way metric.
   double gradient_of(const Part& part) const {
     if (!mesh_.is_one_way()) return 1.0;
     const double a = distance_between(part[0], part[1]), b = distance_between(part[0], part[2]);
@@ -146,8 +145,8 @@ class BandSum {
     return gradient > 0.0 && std::isfinite(gradient) ? gradient : 1.0;
   }
 
-  /// A part small enough to be cut by one arc. \return false, with nothing added, if `may_refuse` and it is
-  /// not like an arc around a source.
+  /// Adds a part that is small enough to be cut by one arc. \return false, with nothing added, if
+  /// `may_refuse` and the border is not like an arc around a source.
   bool add_cut(const Part& part, double share, bool may_refuse) {
     const auto inside = std::ranges::count_if(part, [&](const Corner& c) { return is_inside(c); });
     if (inside == 0) return true;
@@ -166,7 +165,7 @@ class BandSum {
     }
     const double chord = distance_between(end[0], end[1]);
     const double gradient = gradient_of(part);
-    // How far the border is beyond the chord, at its ends and at its middle.
+    // How far the border lies beyond the chord: on average at its ends, then at its middle.
     const double beyond = 0.5 * ((width_ - end[0].distance) + (width_ - end[1].distance)) / gradient;
     const Arc arc{chord, (width_ - between(end[0], end[1], 0.5).distance) / gradient - beyond};
     const double expected = chord * chord / (8.0 * width_);
@@ -185,7 +184,7 @@ class BandSum {
   const double width_;
   const DistanceAt distance_at_;
   const double
-      steepest_;  ///< no distance grows by more for each unit of length: 1 and a drift of less than 1
+      steepest_;  ///< upper bound of the growth of distances per unit of length: 1 plus a drift below 1
   Index face_ = no_index;
   double face_area_ = 0.0;
   std::array<Point, 3> at_{};
@@ -203,7 +202,7 @@ Band band(Surface& surface, const PointList& given, double width, const TaskOpti
   const double reach = static_cast<double>(sources.size()) * surface.reach_of(width);
   Workers workers(surface, options, 1.0, std::min(1.0, reach));
   const Watch watch(workers.progress(), "Area within a distance");
-  // Of a face with no corner below it, no point is within the width.
+  // A face whose corners are all beyond this limit has no point within the width.
   double limit = width;
   for (Index f = 0; f < mesh.first_bridge(); ++f) {
     limit = std::max(limit, width + 2.0 * std::ranges::max(mesh.side_lengths(f)));

@@ -9,12 +9,12 @@ namespace vorogeo {
 /// The part of each face that is within the distance `width`.
 ///
 /// Faces that the border may cross are bisected until their sides are at most width / 16. In each part, the
-/// border is a circular arc through its two crossings of the sides and through the point above the middle of
-/// its chord: as distances grow by one a unit, the distance of that middle says how far the arc is from it.
-/// Exact for sources in a plane but for arcs that leave a part and come back, and for parts where the border
-/// has a kink; those are bisected further, to sixteenths. \throw InvalidInput for no source, one that is not
-/// on the mesh, or a width that is negative or NaN; Cancelled. Complexity: a field bounded by the width and
-/// the longest side of a face, and a search of its windows for each part, of which there are about as many as
+/// border is a circular arc through its two crossings of the sides. As distances grow by one per unit of
+/// length, the distance at the middle of the chord gives the height of the arc there. Exact for sources in a
+/// plane, except where an arc leaves a part and comes back and where the border has a kink; parts with a kink
+/// are bisected further, down to width / 256. \throw InvalidInput for no source, one that is not on the mesh,
+/// or a width that is negative or NaN; Cancelled. Complexity: a field bounded by the width plus twice the
+/// longest side of a face, and a search of its windows for each part, of which there are about as many as
 /// faces at the border, or 16 for each width of its length if that is more.
 Band band(Surface& surface, const PointList& sources, double width, const TaskOptions& options = {});
 

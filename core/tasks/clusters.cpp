@@ -19,7 +19,7 @@ namespace vorogeo {
 
 namespace {
 
-/// Rounds until clusters of points have settled, mostly.
+/// The typical number of rounds until clusters of points have settled.
 constexpr double usual_rounds = 10.0;
 
 void require_enough(const Mesh& mesh, Index count, const PointList& points, std::span<const double> weights) {
@@ -41,9 +41,9 @@ void require_enough(const Mesh& mesh, Index count, const PointList& points, std:
   }
 }
 
-/// k-means++: positions of points, each chosen by its weight and the power of its distance from those before.
-/// lower(seed, farthest, nearest): lowers the distances to those from one more, where these are not greater
-/// than the farthest one that counts.
+/// k-means++: positions of points, each chosen by its weight times the power of its distance from the seeds
+/// before. lower(seed, farthest, nearest): lowers `nearest` to the distances from one more seed, of which
+/// those above `farthest` need not be found.
 template <class Lower>
 std::vector<Index> seeds(Index count, std::span<const double> weights, Power power, std::uint64_t seed,
                          const Progress& progress, const Lower& lower) {
@@ -52,7 +52,7 @@ std::vector<Index> seeds(Index count, std::span<const double> weights, Power pow
   std::vector<Index> chosen;
   double farthest = unreachable;
   while (static_cast<Index>(chosen.size()) < count) {
-    // On a component without a seed, points come first.
+    // Points on a component without a seed are chosen first.
     for (std::size_t i = 0; i < weights.size(); ++i) {
       const bool comes = weights[i] > 0.0 && (farthest < unreachable || nearest[i] == unreachable);
       share[i] = comes ? weights[i] * (farthest < unreachable ? powered(nearest[i], power) : 1.0) : 0.0;
@@ -81,7 +81,7 @@ std::vector<Index> seeds(Index count, std::span<const double> weights, Power pow
   return chosen;
 }
 
-/// Lowers distances along edges, by vertex, to those from one more vertex.
+/// Lowers the vertices' distances along edges to those from one more vertex.
 void lower_along_edges(const Mesh& mesh, Index from, std::vector<double>& distance) {
   VertexSearch search(std::move(distance), std::array{mesh.representative(from)});
   for (Index v = search.settle_next(); v != no_index; v = search.settle_next()) {
@@ -125,8 +125,8 @@ class PointClusters {
   }
 
  private:
-  /// A centre with a lower sum than the one before is at most twice as far from that as the cluster's
-  /// farthest point, so that none is farther from it than this.
+  /// A centre with a lower sum than the one before is at most twice as far from that one as the cluster's
+  /// farthest point is. So no point of the cluster is farther from the new centre than this.
   double limit_of_row() const { return 3.0 * bounded_field_slack * reach_; }
   std::vector<double> row_of(const SurfacePoint& centre, int worker) {
     return workers_.few_distances(centre, points_, limit_of_row(), worker);
@@ -152,7 +152,7 @@ class PointClusters {
     found_.energy.push_back(energy);
   }
 
-  /// By the rows as far as they reach.
+  /// Labels points by the rows, as far as these reach.
   void label() {
     members_.assign(row_.size(), {});
     reach_ = 0.0;
@@ -242,10 +242,10 @@ class PointClusters {
   const PointList& points_;
   const std::span<const double> weights_;
   const Power power_;
-  /// By cluster: distances of the points from its centre; `unreachable` far beyond all that are its own.
+  /// By cluster: distances of the points from its centre; `unreachable` for points far beyond its cluster.
   std::vector<std::vector<double>> row_{};
   std::vector<double> limit_{};  ///< by cluster: beyond it, its row is `unreachable`
-  double reach_ = 0.0;           ///< the farthest that a point is from the nearest centre
+  double reach_ = 0.0;           ///< the greatest distance of a point from its nearest centre
   std::vector<std::vector<Index>> members_{};
   Clusters found_{};
 };

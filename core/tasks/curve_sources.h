@@ -9,8 +9,7 @@
 
 namespace vorogeo {
 
-/// The edges of a curve, each between two vertices as they were given. \throw InvalidInput where there is
-/// none.
+/// The edges of a curve, by their ends as given. \throw InvalidInput for two that no edge joins.
 std::vector<Index> edges_of_curve(const Mesh& mesh, std::span<const std::array<int, 2>> ends);
 
 /// Points along edges of the mesh, at most `spacing` apart, including the vertices, each once.

@@ -19,7 +19,7 @@ namespace {
 
 using Points = std::vector<SurfacePoint>;
 
-/// A path by its length.
+/// A path whose points are found by fractions of its length.
 class AlongPath {
  public:
   AlongPath(const Mesh& mesh, Points points) : mesh_(mesh), points_(std::move(points)) {
@@ -60,13 +60,14 @@ AlongPath along_path(const Mesh& mesh, const PointList& path) {
   return {mesh, Points(points.begin(), points.end())};
 }
 
-/// With a part of the progress.
+/// The options with a part of their progress.
 TaskOptions part_of(const TaskOptions& options, double begin, double end) {
   return {options.by, options.progress.part(begin, end), options.answered};
 }
 
-/// The points of Bezier curves at all parameters but the last, one curve after another, each by as many
-/// control points. \throw InvalidInput for two of these that no path joins, by their positions in one list.
+/// The points of Bezier curves at all parameters but the last, one curve after another; all have the same
+/// number of control points. \throw InvalidInput for two of these that no path joins; names their positions
+/// in the list of all.
 Points casteljau(Surface& surface, const std::vector<Points>& controls, Index samples,
                  const TaskOptions& options) {
   const Mesh& mesh = *surface.mesh();
@@ -143,7 +144,7 @@ Points middles(Surface& surface, const Points& points, bool closed, const TaskOp
   return found;
 }
 
-/// The vector from the point of a frame along a path of some length; `path` begins there.
+/// The vector of a given length from the point of a frame, in the direction of a path that begins there.
 template <class Path>
 Tangent vector_along(const TangentFrame& frame, const Path& path, double length) {
   const Mesh& mesh = *frame.geometry().mesh;
@@ -199,8 +200,8 @@ ExactPath b_spline(Surface& surface, const PointList& given, bool closed, Index 
       const double all = 3.0 * levels / 0.8, done = 3.0 * level + number;
       return part_of(options, done / all, (done + 1.0) / all);
     };
-    // Each point twice, then three times the middles of neighbours: the first time, points and middles in
-    // turn.
+    // Points are doubled, then three times replaced by the middles of neighbours; the first time leaves
+    // points and middles in turn.
     const Points middle = middles(surface, curve, closed, third(0));
     Points finer;
     for (std::size_t i = 0; i < curve.size(); ++i) {

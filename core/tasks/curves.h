@@ -26,11 +26,11 @@ std::vector<SurfacePoint> steps_along(const Mesh& mesh, const PointList& path, d
 ExactPath bezier(Surface& surface, const PointList& points, Index samples, const TaskOptions& options = {});
 
 /// The uniform cubic B-spline curve of control points, closed or from the first one to the last, by
-/// subdivision (Lane, Riesenfeld 1980; on surfaces Mancinelli et al. 2022): on each level, each point counts
-/// twice, and three times the middles of the shortest paths between neighbours take their place. Shortest
-/// paths join the points of the last level. \throw InvalidInput as bezier(), for fewer than one level and
-/// fewer than three points of a closed one. Complexity: on level i, some 2^i exact paths for each point, half
-/// as long as on the one before.
+/// subdivision (Lane, Riesenfeld 1980; on surfaces Mancinelli et al. 2022): on each level, each point is
+/// doubled, then three times all are replaced by the middles of the shortest paths between neighbours.
+/// Shortest paths join the points of the last level. \throw InvalidInput as bezier(), for fewer than one
+/// level and fewer than three points of a closed one. Complexity: on level i, some 2^i exact paths for each
+/// point, half as long as on the one before.
 ExactPath b_spline(Surface& surface, const PointList& points, bool closed, Index levels,
                    const TaskOptions& options = {});
 

@@ -22,7 +22,7 @@ namespace {
 
 using CutWeights = std::array<double, 3>;
 
-/// Points nearer to each other, as parts of a side or as weights, are one.
+/// Points that differ by less, as fractions of an edge or as weights, are one.
 constexpr double same_place = 1e-10;
 
 /// Collects the points and the pieces of lines by face, and divides the faces.
@@ -68,7 +68,7 @@ class MeshCutter {
   /// Whether a face is turned against most others.
   bool is_turned(Index face) const { return turned_[face]; }
 
-  /// A straight piece of a line in a face, between points that it holds.
+  /// Adds a straight piece of a line in a face, between two points of the face.
   void add_piece(Index face, Index from, Index to) {
     if (from == to) return;
     pieces_[face].push_back({from, to, passed_.size()});
@@ -102,7 +102,7 @@ class MeshCutter {
     mark_sides();
     return std::move(result_);
   }
-  /// After the division, by piece in the order in which they were added.
+  /// After the division: the points on each piece, in the order in which pieces were added.
   const std::vector<std::vector<Index>>& passed() const { return passed_; }
 
  private:
@@ -138,7 +138,7 @@ class MeshCutter {
     FaceDivision division(
         outline, [&](const CutWeights& weights) { return add(SurfacePoint::in_face(face, weights)); });
     if (const auto inside = in_face_.find(face); inside != in_face_.end()) {
-      // Along the lines, so that each is near the last one.
+      // In the order of the lines, so that each point is near the last one.
       std::vector<Index> points;
       for (const auto& [weight, point] : inside->second) points.push_back(point);
       std::ranges::sort(points);
@@ -153,7 +153,7 @@ class MeshCutter {
       throw Error("The line could not be drawn through face " + std::to_string(mesh_.input_face(face)) +
                   ": its points lie nearer to each other than weights are rounded.");
     }
-    // Once more, as later lines have crossed earlier ones.
+    // Once more, for the points at which later lines have crossed earlier ones.
     for (const Piece& piece : pieces) {
       passed_[piece.number] = division.add_line(piece.from, piece.to);
     }
@@ -188,7 +188,7 @@ class MeshCutter {
   std::vector<std::vector<Index>> passed_;                           ///< by piece, the points on it
 };
 
-/// Connected parts of faces, over all edges but those of the cut.
+/// By face, its connected part: faces are joined over all edges but those of the cut.
 std::vector<Index> parts_between(const CutMesh& cut) {
   std::set<std::array<Index, 2>> closed;
   for (const auto& [a, b] : cut.edges) closed.insert(edge_of(a, b));

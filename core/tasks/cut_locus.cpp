@@ -10,7 +10,7 @@ namespace vorogeo {
 
 namespace {
 
-/// Without the ends of lines up to where they have at least this angle: what was connected stays so.
+/// The lines pruned from their ends up to where their angle is at least this: what was connected stays so.
 Ridge with_angle(const Ridge& all, double min_angle) {
   if (min_angle == 0.0) return all;
   const std::size_t count = all.points.size();

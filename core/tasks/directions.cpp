@@ -21,10 +21,10 @@ namespace {
 /// Lines handed to a thread at a time.
 constexpr std::size_t lines_at_once = 64;
 
-/// Lines that cross so many times the faces of a mesh gain what its FaceSteps take.
+/// FaceSteps pay for lines that together cross at least this many times the faces of the mesh.
 constexpr double crossings_of_steps = 6.0;
 
-/// About so many faces lines along these vectors cross, all together.
+/// An estimate of how many faces lines along these vectors cross, all together.
 double crossed_faces(const Mesh& mesh, const std::vector<Tangent>& vectors) {
   double length = 0.0;
   for (const Tangent& vector : vectors) length += std::hypot(vector[0], vector[1]);
@@ -33,7 +33,7 @@ double crossed_faces(const Mesh& mesh, const std::vector<Tangent>& vectors) {
 
 void require_agreeing_around(const LocalGeometry& geometry, const SurfacePoint& point) {
   const Mesh& mesh = *geometry.mesh;
-  // A vertex without faces may be all that is left where the metric does not jump.
+  // There are no windows if the metric jumps in all components that have faces.
   if (mesh.has_potential() || !geometry.windows || mesh.metric_jumps_in(component_of(mesh, point)))
     require_agreeing_faces(mesh, "Directions");
 }
@@ -57,8 +57,8 @@ std::vector<TangentFrame> frames_at(Surface& surface, const PointList& points) {
   return frames;
 }
 
-/// How vectors turn on the way along a path: one of angle a at its first point has the angle sign a + turned
-/// at its last one.
+/// How vectors turn along a path: one of angle a at its first point has the angle sign * a + turned at its
+/// last point.
 struct Turning {
   double sign = 1.0, turned = 0.0;
 

@@ -10,8 +10,8 @@
 
 namespace vorogeo {
 
-/// What angles at a point are read from. \throw InvalidInput in a component where the metric jumps at edges.
-/// \pre The point is on the mesh.
+/// The geometry from which angles at a point are read. \throw InvalidInput in a component where the metric
+/// jumps at edges. \pre The point is on the mesh.
 const ExactGeometry& agreeing_geometry(Surface& surface, const SurfacePoint& point);
 
 /// The frames at points, in space: x axis, y axis and normal of each (TangentFrame::axes). \throw
@@ -23,16 +23,16 @@ std::vector<std::array<Point, 3>> tangent_frames(Surface& surface, const PointLi
 /// The shortest paths from a point to some points, or to all vertices, as vectors in the frame there;
 /// distances above max_distance are `unreachable`. Exact, unless `by` is an index: see IndexField::first_leg.
 /// \throw as tangent_frames(), but takes a metric; for `by` quick and for a negative distance; Cancelled.
-/// Complexity: that of an exact field, if all targets are vertices as far as they are; from an index two to
-/// three of its fields.
+/// Complexity: that of an exact field, bounded by the farthest target if all are vertices; from an index two
+/// to three of its fields.
 LogMap log_map(Surface& surface, const SurfacePoint& point, const std::optional<PointList>& targets,
                double max_distance, const TaskOptions& options);
 
 /// The gradient of the distance from the nearest source, at all vertices given or at some points: vectors of
 /// length 1 in the frames there, away from the source, against the direction in which the shortest path to it
-/// begins. NaN at sources, where no path leads or max_distance ends it, and at vertices that have no frame.
-/// Always exact; where several paths are shortest, of one of them. \throw as log_map(), and for points
-/// without a frame. Complexity: an exact field that keeps its windows.
+/// begins. NaN at sources, where no path leads, beyond max_distance, and at vertices without a frame. Always
+/// exact; where several paths are shortest, of one of them. \throw as log_map(), and for points without a
+/// frame. Complexity: an exact field that keeps its windows.
 std::vector<Tangent> gradient(Surface& surface, const PointList& sources,
                               const std::optional<PointList>& points, double max_distance,
                               const TaskOptions& options);

@@ -5,11 +5,12 @@
 
 namespace vorogeo {
 
-/// Of exact distances, whose points keep their weights in their faces. A shortest path stays a path if the
-/// points where it crosses edges keep their places there, and its length changes as the distance does to
-/// first order, as no crossing is a better one (the envelope theorem). So each point of the path hands the
-/// difference of the directions of its two steps to the corners of its face, by its weights. Where several
-/// paths are shortest, of one of them; no entries where both points are one, or no path leads.
+/// The derivatives of exact distances, whose points keep their weights in their faces. A shortest path stays
+/// a path if its crossings keep their places on the edges. To first order, its length then changes as the
+/// distance does, as moving a crossing along its edge gains nothing (the envelope theorem). So each point of
+/// the path hands the difference of the directions of its two steps to the corners of its face, by its
+/// weights. Where several paths are shortest, by one of them; no entries for a pair of equal points or
+/// without a path.
 ///
 /// \throw InvalidInput for lists of different lengths, points that are not on the mesh, and with a metric;
 /// Cancelled. Complexity: the exact paths.

@@ -56,8 +56,8 @@ EnclosedPart::EnclosedPart(const Mesh& mesh, CutMesh cut, const std::string& lin
   for (const Index own : side) is_inside_.push_back(own != no_index && is_inside[own]);
 }
 
-/// By region a number 2 k or 2 k + 1 for the two sides of the lines in component k of those that have lines,
-/// so that it changes at every line; no_index in the others. Empty if there is no such numbering.
+/// By region, 2 k or 2 k + 1 for the two sides of the lines in the k-th component that has lines, so that it
+/// changes across every line; no_index in components without lines. Empty if there is no such numbering.
 std::vector<Index> EnclosedPart::sides() const {
   std::map<std::array<Index, 2>, int> passes;
   for (const auto& line : cut_.lines) {

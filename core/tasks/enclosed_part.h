@@ -11,20 +11,21 @@
 
 namespace vorogeo {
 
-/// In each component with closed lines, their side that has no border of the surface besides them, and if
-/// both or none have, the smaller one. Measures are in the metric of the mesh, which must outlive it.
+/// In each component with closed lines, the side of these that has no other border of the surface; if both
+/// sides have one or neither has, the smaller side. Measures are in the metric of the mesh, which must
+/// outlive this object.
 class EnclosedPart {
  public:
-  /// `cut`: along the lines. \throw InvalidInput, in which `lines` names them, where they have one and the
-  /// same side left and right, as around a handle or a tube. Complexity: O(n log n) for n faces.
+  /// `cut`: along the lines; `lines`: their name in errors. \throw InvalidInput where the lines have the same
+  /// side left and right, as around a handle or a tube. Complexity: O(n log n) for n faces.
   EnclosedPart(const Mesh& mesh, CutMesh cut, const std::string& lines);
 
   /// The mesh, cut along the lines.
   const CutMesh& cut() const { return cut_; }
-  /// The same, taken out: nothing else may be asked then.
+  /// Moves the cut mesh out; nothing else may be asked afterwards.
   CutMesh take() { return std::move(cut_); }
   double area() const { return area_; }
-  /// Of a face of the cut.
+  /// Whether a face of the cut is inside.
   bool has(Index face) const { return is_inside_[cut_.region[face]]; }
   std::array<Point, 3> corners(Index face) const;
   /// Whether a point of the mesh lies inside or, but for rounding, on the lines.

@@ -44,10 +44,10 @@ FieldDifference difference_of(const std::vector<double>& values, const std::vect
 
 namespace {
 
-/// Fields from which the bounds of an extent mostly meet.
+/// The typical number of fields after which the bounds of an extent meet.
 constexpr double usual_fields = 20.0;
 
-/// Of the vertices given: the ends and the centre of a surface are among them.
+/// Only over the vertices that were given, as the ends and the centre of a surface must be among them.
 Eccentricity eccentricity_in(const Mesh& mesh, const std::vector<double>& field) {
   Eccentricity result{-1.0, no_index};
   for (Index v = 0; v < mesh.given_vertex_count(); ++v) {

@@ -26,8 +26,8 @@ FieldDifference difference_of(const std::vector<double>& values, const std::vect
 
 // ---- How far a surface reaches: eccentricities, bounds of diameter and radius, the centre, and disks
 
-/// For each of the points, within its component. \throw InvalidInput for a point that is not on the mesh,
-/// Cancelled.
+/// The eccentricity of each point within its component. \throw InvalidInput for a point that is not on the
+/// mesh, Cancelled.
 /// Complexity: a field for each.
 std::vector<Eccentricity> eccentricities(Surface& surface, const PointList& points,
                                          const TaskOptions& options = {});
@@ -54,8 +54,8 @@ struct Extent {
 /// out of range or fewer than 2 fields, Cancelled.
 Extent extent_of_component(Surface& surface, Index start, Index max_fields, const TaskOptions& options = {});
 
-/// By the numbers given. \throw InvalidInput for no source, one that is not on the mesh, or a radius that is
-/// negative or NaN.
+/// With vertices and faces as they were given. \throw InvalidInput for no source, one that is not on the
+/// mesh, or a radius that is negative or NaN.
 Disk geodesic_disk(Surface& surface, const PointList& sources, double radius,
                    const TaskOptions& options = {});
 

@@ -47,14 +47,14 @@ template <class Visit>
 void FaceDivision::for_each_part_at(Index point, Visit&& visit) const {
   const Index first = points_[point].side;
   for (Index side = first; side != no_index;) {
-    // Of a side on the outline none is beside; so the turn ends there, or where it began.
+    // A side on the outline has no part beside it, so the turn ends there, or where it began.
     const Index following = sides_[sides_[side].previous].beside;
     if (visit(side) || following == first) return;
     side = following;
   }
 }
 
-/// In the parts on both sides of it.
+/// Divides a side at a point, in the parts on both sides of it.
 void FaceDivision::insert_into_side(Index side, Index point) {
   const Index beside = sides_[side].beside;
   const Index rest = new_side(point);
@@ -69,7 +69,7 @@ void FaceDivision::insert_into_side(Index side, Index point) {
   pair(beside, rest);
 }
 
-/// A part by a line between the points that two of its sides leave.
+/// Divides a part by a line between the points at which two of its sides begin.
 void FaceDivision::split(Index side, Index other) {
   const Index before = sides_[side].previous, before_other = sides_[other].previous;
   const Index line = new_side(sides_[side].from), back = new_side(sides_[other].from);
@@ -82,8 +82,8 @@ void FaceDivision::split(Index side, Index other) {
 
 // ---- Points inside
 
-/// \return whether no side of the part, but those of the outline, has the place to its right. Otherwise the
-/// side that has.
+/// \return whether no side of the part, except on the outline, has the place to its right. If one has,
+/// `way_out` is that side.
 bool FaceDivision::is_in_part(Index part, const Place& place, Index* way_out) const {
   Index side = part;
   do {
@@ -111,7 +111,7 @@ Index FaceDivision::part_with(const Place& place) {
   return last_;
 }
 
-/// Of several sides on one line, the one that the place lies in; no_index if it lies in none.
+/// The side of a part on which a place lies, of several on one line the nearest; no_index if it lies on none.
 Index FaceDivision::nearest_side(Index part, const Place& place) const {
   Index nearest = no_index, side = part;
   double least = 0.0;
@@ -145,7 +145,7 @@ void FaceDivision::add_point(Index number, const Weights& weights) {
     around.push_back(side);
     side = sides_[side].next;
   } while (side != part);
-  // The sides to and from the new point: triangle i is from it, along the side i, and back.
+  // The sides to and from the new point: triangle i goes from it along side i and back.
   std::vector<Index> out, back;
   for (const Index one : around) {
     out.push_back(new_side(point));
@@ -176,7 +176,7 @@ std::vector<Index> FaceDivision::add_line(Index from, Index to) {
   return passed;
 }
 
-/// The next point of the line from a point that is there; no_index if there is none.
+/// The next point on the line to `end`; no_index if rounding leaves none.
 Index FaceDivision::step(Index from, Index end) {
   const Place& p = points_[from].place;
   const Place way{points_[end].place[0] - p[0], points_[end].place[1] - p[1]};
@@ -184,7 +184,7 @@ Index FaceDivision::step(Index from, Index end) {
     const Place& q = points_[point].place;
     return side_of(from, end, point) == 0.0 && (q[0] - p[0]) * way[0] + (q[1] - p[1]) * way[1] > 0.0;
   };
-  // Along a side that is there.
+  // Along an existing side.
   Index next = no_index;
   for_each_part_at(from, [&](Index side) {
     for (const Index beside : {head(side), sides_[sides_[side].previous].from}) {
@@ -193,7 +193,7 @@ Index FaceDivision::step(Index from, Index end) {
     return next != no_index;
   });
   if (next != no_index) return next;
-  // Through the part that it leads into.
+  // Through the part into which the line leads.
   std::vector<Index> leaving;
   for_each_part_at(from, [&](Index side) {
     if (side_of(from, head(side), end) >= 0.0 &&
@@ -209,11 +209,11 @@ Index FaceDivision::step(Index from, Index end) {
   return no_index;
 }
 
-/// Splits a part by a line from the point that one of its sides leaves, if it runs inside. It is looked for
-/// from both ends, so that cutting off few points takes few steps. \return where it leaves the part.
+/// Splits a part by a line from the start of `side`, if the line runs inside. Its exit is looked for both
+/// ways round the part, so that cutting off few points takes few steps. \return the point at the exit.
 Index FaceDivision::cross_part(Index side, Index end) {
   const Index from = sides_[side].from;
-  // Sides that leave the points passed: to the right of the line from the front, to its left from the back.
+  // Sides at the points visited last: going forwards, points right of the line; backwards, left of it.
   Index front = sides_[side].next, back = sides_[side].previous;
   Index way_out = no_index;
   while (way_out == no_index) {
@@ -237,7 +237,7 @@ Index FaceDivision::cross_part(Index side, Index end) {
       if (front != back) back = before;
     }
   }
-  // Through one of its ends, or through its inside.
+  // Out through an end of the side, or between its ends.
   const Index following = sides_[way_out].next;
   const Index u = sides_[way_out].from, v = sides_[following].from;
   const double at_u = side_of(from, end, u), at_v = side_of(from, end, v);
@@ -291,7 +291,7 @@ std::vector<std::array<Index, 3>> FaceDivision::triangles() const {
     };
     for (Index i = 0; i < count; ++i) put(i);
     while (corners.size() > 3) {
-      // The corner that leaves the most area on the smaller side. All but two have at most half of the area.
+      // The corner whose cut leaves most area on the smaller side. All but two have at most half of the area.
       auto best = corners.begin();
       double most = -1.0;
       for (auto it = corners.begin(); it != corners.end() && it->first > most; ++it) {

@@ -11,9 +11,9 @@
 
 namespace vorogeo {
 
-/// A face in convex parts, each a cycle of sides, counter-clockwise; parts side by side share all points of
+/// A face in convex parts, each a cycle of sides, counter-clockwise; neighbouring parts share all points of
 /// their common side. Points and lines are added one by one; what is near the last one is found in few steps.
-/// Points have numbers of the caller's.
+/// The caller numbers the points.
 class FaceDivision {
  public:
   using Weights = std::array<double, 3>;
@@ -23,12 +23,12 @@ class FaceDivision {
   /// `outline`: corners and points on the sides, in the order of the face.
   FaceDivision(const std::vector<std::pair<Index, Weights>>& outline, Numbering number_of);
 
-  /// A point inside the face, joined to all around it. Nothing happens if it is there.
+  /// Adds a point inside the face, joined to all points of the part around it, unless it was added before.
   void add_point(Index point, const Weights& weights);
-  /// A line between two points that are there. \return the points that it passes, both ends among them; it
-  /// ends early if rounding lets it come no farther.
+  /// Adds a line between two points added before. \return the points that it passes, both ends included; the
+  /// line stops before `to` if rounding lets it come no farther.
   std::vector<Index> add_line(Index from, Index to);
-  /// All parts in triangles, none without area unless the face has none.
+  /// All parts divided into triangles, none without area unless the face has none.
   std::vector<std::array<Index, 3>> triangles() const;
 
  private:
@@ -37,15 +37,15 @@ class FaceDivision {
   struct DividedPoint {
     Index number;
     Place place;
-    Index side;  ///< that leaves it; on the outline the one along it
+    Index side;  ///< that begins at it; for a point on the outline, the side along that
   };
   struct PartSide {
     Index from;
     Index next, previous;  ///< of the same part
-    Index beside;          ///< the other way, of the part beside it; no_index on the outline
+    Index beside;          ///< its opposite in the neighbouring part; no_index on the outline
   };
 
-  /// Above 0 if c is to the left of the way from a to b; 0 if it is on it but for rounding.
+  /// Above 0 if c is to the left of the line from a to b; 0 if it is on the line, up to rounding.
   static double side_of(const Place& a, const Place& b, const Place& c);
   double side_of(Index a, Index b, Index c) const {
     return side_of(points_[a].place, points_[b].place, points_[c].place);

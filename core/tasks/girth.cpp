@@ -24,7 +24,7 @@ namespace {
 
 struct Section {
   SurfacePath path{{}, unreachable};  ///< closed; without points if there is none
-  Index end = no_index;               ///< an edge beyond which it does not lead on
+  Index end = no_index;               ///< an edge at which the section ends, if it is not closed
 };
 
 /// Cuts the surface by a plane through a point. Vertices in the plane count as above it, so that it crosses
@@ -64,7 +64,7 @@ class Cutter {
   Point normal_{};
 };
 
-/// From the point through a face of it, until it comes back there.
+/// Follows the section from the point through one of its faces until it comes back.
 Section Cutter::follow(Index first, Index end) const {
   Section found;
   found.end = end;
@@ -104,7 +104,7 @@ Section Cutter::follow(Index first, Index end) const {
                      name_of(mesh, SurfacePoint::at_vertex(b)) + ". Move the point or tilt the plane.");
 }
 
-/// The shortest closed section through the normal of the surface.
+/// The shortest closed section by a plane that contains the normal of the surface.
 std::pair<Point, Section> shortest_section(const Mesh& mesh, const SurfacePoint& point, Cutter& cutter) {
   const Point upright = normal_at(mesh, point);
   const auto least = std::ranges::min_element(upright, {}, [](double x) { return std::abs(x); });
@@ -136,7 +136,7 @@ std::pair<Point, Section> shortest_section(const Mesh& mesh, const SurfacePoint&
   };
   for (int i = 0; i < directions; ++i) try_angle(step * i);
   if (best.path.points.empty()) refuse_section(mesh, point, best.end);
-  // A third of the interval goes each time: so many leave 1e-8 of it.
+  // Each step cuts off a third of the interval; so many leave 1e-8 of it.
   constexpr int thirds = 45;
   double low = best_angle - step, high = best_angle + step;
   for (int i = 0; i < thirds; ++i) {
@@ -170,7 +170,7 @@ std::vector<Point> hull_in_plane(const std::vector<Point>& points, const Point& 
       while (hull.size() > base + 1 && turns_right(one.first)) hull.pop_back();
       hull.push_back(one);
     }
-    hull.pop_back();  // the first of the other half
+    hull.pop_back();  // the other half begins with it
     if (is_lower) std::ranges::reverse(sorted);
   }
   std::vector<Point> corners;

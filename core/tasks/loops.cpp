@@ -36,8 +36,8 @@ bool go_on(const Mesh& mesh, const SurfacePoint& point, Index face, FaceStrip& s
   return true;
 }
 
-/// A polyline whose consecutive points share a face, pulled tight; as it is where unfolding does not lead to
-/// a shorter one. It stays at vertices at which its faces do not hang together. `looks_beside`: see
+/// A polyline whose consecutive points share a face, pulled tight; unchanged where unfolding leads to no
+/// shorter one. It keeps the vertices at which its faces are not connected over edges. `looks_beside`: see
 /// PathRefiner::refine. \throw InvalidInput if two points share no face.
 SurfacePath pulled(const Mesh& mesh, PathRefiner& refiner, const std::vector<SurfacePoint>& line,
                    bool looks_beside) {
@@ -65,11 +65,11 @@ SurfacePath pulled(const Mesh& mesh, PathRefiner& refiner, const std::vector<Sur
 
 // ---- Closed lines pulled tight
 
-/// Shortening by less than this (relative) is rounding; so many rounds without more end it.
+/// Shortening by less than this (relative) is rounding; the loop is tight after so many rounds without more.
 constexpr double least_loop_gain = 1e-13;
 constexpr int rounds_without_gain = 3;
 
-/// Begins a closed line at another point: the vertex, or else the point, that is nearest to half-way along.
+/// Begins a closed line at another point: the vertex, or else the point, nearest to half-way along.
 void begin_half_way(const Mesh& mesh, std::vector<SurfacePoint>& line) {
   std::vector<double> along{0.0};
   for (std::size_t i = 1; i < line.size(); ++i) {
@@ -87,7 +87,7 @@ void begin_half_way(const Mesh& mesh, std::vector<SurfacePoint>& line) {
   line.push_back(line.front());
 }
 
-/// Whether all of a line runs over faces of one vertex and touches no edge opposite to it.
+/// Whether a line stays on the faces around one vertex and touches none of the edges opposite to it.
 bool is_around(const Mesh& mesh, const std::vector<SurfacePoint>& line, Index vertex) {
   return mesh.fan(vertex) != Mesh::Fan::non_manifold &&
          std::ranges::all_of(line, [&](const SurfacePoint& at) {
@@ -150,7 +150,7 @@ TightLoop tightened(const ExactGeometry& geometry, std::vector<SurfacePoint> cur
 
 namespace {
 
-/// What answers about closed lines, and how long it takes.
+/// A question about a loop: what answers it, the checks, and the time it takes.
 class LoopTask {
  public:
   LoopTask(Surface& surface, const TaskOptions& options, bool closed = true)
@@ -230,9 +230,10 @@ ExactPath tighten(Surface& surface, const PointList& curve, bool closed, const T
 
 namespace {
 
-/// The edges across which loops from a point close that cannot be contracted. A tree of vertices grows from
-/// the point in order of distance. Faces are joined across the edges that are not in it, and to the hole at
-/// each border; where only one such edge of a face is left, a loop across it contracts, and it is removed.
+/// The edges across which loops from a point are closed that cannot be contracted. A tree of vertices grows
+/// from the point in order of distance. Faces are joined across the edges outside the tree, and to the hole
+/// at each border; where a face has only one such edge left, a loop across it contracts, and the edge is
+/// removed.
 class LoopClasses {
  public:
   LoopClasses(const Mesh& mesh, const SurfacePoint& point, std::span<const double> distance)
@@ -244,7 +245,7 @@ class LoopClasses {
   struct Class {
     double length = unreachable;  ///< of its shortest loop through the ends of an edge
     Index edge = no_index;
-    double least = unreachable;  ///< none of its loops is shorter
+    double least = unreachable;  ///< lower bound of the lengths of its loops
   };
   /// Shortest first.
   std::vector<Class> classes();
@@ -319,7 +320,7 @@ void LoopClasses::prune() {
     ++open_edges[Mesh::face_of(h)];
     if (const Index other = mesh_.next_around_edge(h); other != h) ++open_edges[Mesh::face_of(other)];
   }
-  // The faces at a point that is no vertex are divided by the lines to their corners: each part has one edge.
+  // Faces at a point that is no vertex are divided by lines to their corners: loops across an edge contract.
   std::vector<Index> ends;
   auto remove = [&](Index edge) {
     state_[edge] = removed;
@@ -395,7 +396,7 @@ std::vector<SurfacePoint> LoopClasses::loop_across(Index edge) const {
   return loop;
 }
 
-/// Of all classes the shortest loop.
+/// The shortest loop of all classes.
 SurfacePath shortest_of_classes(Surface& surface, LoopTask& task, const SurfacePoint& point) {
   const ExactSource source{point};
   Answered answered;

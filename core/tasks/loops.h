@@ -10,7 +10,8 @@
 
 namespace vorogeo {
 
-/// Rounds of pulling a loop tight, at most. In a slight neck of a smooth surface, each shortens it by little.
+/// At most so many rounds pull a loop tight. In a slight neck of a smooth surface, each shortens it by
+/// little.
 inline constexpr int max_loop_rounds = 5000;
 
 /// A closed curve pulled tight.
@@ -20,11 +21,11 @@ struct TightLoop {
 };
 
 /// Pulls a closed curve tight until it is a closed geodesic: straight when its faces are laid out flat, and
-/// at vertices with at least pi on both sides. It moves over the surface continuously, so it stays in its
-/// homotopy class, but not across borders. `curve` ends where it begins, and consecutive points share a face.
-/// From one of its points, the curve is pulled tight as an open line; then from one half-way along, and so on
-/// (Birkhoff), until it becomes no shorter. \throw Cancelled at a checkpoint. Complexity: O(faces crossed)
-/// for each round; some tens of rounds where it bends at vertices, more in slight necks of smooth surfaces.
+/// at vertices with at least pi on both sides. It moves continuously and never across a border, so it stays
+/// in its homotopy class. `curve` ends where it begins, and consecutive points share a face. From one of its
+/// points, the curve is pulled tight as an open line; then from one half-way along, and so on (Birkhoff),
+/// until it becomes no shorter. \throw Cancelled at a checkpoint. Complexity: O(faces crossed) for each
+/// round; some tens of rounds where it bends at vertices, more in slight necks of smooth surfaces.
 TightLoop tightened(const ExactGeometry& geometry, std::vector<SurfacePoint> curve,
                     int max_rounds = max_loop_rounds);
 
@@ -34,17 +35,17 @@ SurfacePoint point_of_loop(const Mesh& mesh, const SurfacePoint& given);
 
 /// The closed geodesic that a closed curve through these points is pulled to; see tightened(). If it is not
 /// `closed`, the locally shortest path to which the curve is pulled with its ends held. Points that share no
-/// face are joined by shortest paths, of a closed curve the last with the first. What answered has the
-/// loop's remark. \throw InvalidInput for fewer than two points, two that no path joins, a closed curve that
-/// slips off (names where), or a metric that jumps.
+/// face are joined by shortest paths, in a closed curve also the last with the first. `options.answered`
+/// receives the loop's remark. \throw InvalidInput for fewer than two points, two that no path joins, a
+/// closed curve that slips off (names where), or a metric that jumps.
 ExactPath tighten(Surface& surface, const PointList& curve, bool closed = true,
                   const TaskOptions& options = {});
 
-/// The shortest loop through a point that cannot be contracted to it: across the edges of the cut locus of
-/// the point that remain when all of its ends are pruned back, one loop for each class of them (Erickson,
-/// Har-Peled 2004, with exact distances), is pulled tight with the point held. With a `curve`: of those like
-/// the curve, which is reached by the shortest path from the point, the loop that this is pulled to.
-/// \throw InvalidInput as tighten(); where every loop through the point contracts; for a vertex without a
+/// The shortest loop through a point that cannot be contracted to it. The edges across the cut locus of the
+/// point, once its open ends are pruned, fall into classes; for each class, one loop across an edge is pulled
+/// tight with the point held (Erickson, Har-Peled 2004, with exact distances). With a `curve`: the shortest
+/// path from the point to the curve, once round it and back, pulled tight with the point held. \throw
+/// InvalidInput as tighten(); where every loop through the point contracts; for a vertex without a
 /// face and an edge of three; Cancelled. Complexity: a field, and O(n log n).
 ExactPath shortest_loop(Surface& surface, const SurfacePoint& point, const PointList& curve,
                         const TaskOptions& options = {});

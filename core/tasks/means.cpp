@@ -18,14 +18,14 @@ namespace vorogeo {
 
 namespace {
 
-/// Of the distance of the farthest point: steps that end a descent, and those whose change of the sum is lost
-/// in rounding.
+/// Steps shorter than the first end a descent; below the second, the change of the sum is lost in rounding.
+/// Both are fractions of the distance of the farthest point.
 constexpr double least_move = 1e-9, least_measured_move = 1e-6;
-/// Sums that differ by less are equal, relative to them.
+/// Sums whose relative difference is less are equal.
 constexpr double tie = 1e-9;
 constexpr std::size_t most_starts = 4;
 constexpr int most_steps = 200;
-/// What descents report to as long as nobody knows how many steps they take.
+/// Each step of a descent takes this part of the remaining progress, as their number is unknown.
 constexpr double part_of_step = 0.2;
 
 /// A shortest path to one of the points, as it begins.
@@ -42,15 +42,14 @@ struct Place {
   std::vector<Pull> pulls{};
   std::vector<Turn> turns{};  ///< nearest first
   double energy = 0.0;
-  double held = 0.0;  ///< the sum grows by this per length in every direction: it has an edge at points here
+  double held = 0.0;      ///< growth of the sum per length in every direction: it has a kink at points here
   double farthest = 0.0;  ///< distance of the points
 
   double between(double angle, double other) const {
     const double turned = std::abs(angle - other);
     return std::min({turned, std::abs(frame.full_turn() - turned), std::numbers::pi});
   }
-  /// First and second derivative of the sum in a direction. A path that would lead straight back grows with
-  /// each step.
+  /// First and second derivative of the sum in a direction. A path straight back grows by the whole step.
   double slope(double angle) const {
     double slope = held;
     for (const Pull& pull : pulls) slope -= pull.force * std::cos(between(angle, pull.angle));
@@ -85,7 +84,7 @@ class Descent {
 
   Centre run(const SurfacePoint& start, double reach) {
     Place here = look(start, reach);
-    if (here.energy == unreachable) here = look(start, unreachable);  // the reach was an index's
+    if (here.energy == unreachable) here = look(start, unreachable);  // an index's reach is too short
     double left = unreachable;
     for (int step = 0; step < most_steps; ++step) {
       const Move move = best_move(here);
@@ -101,7 +100,7 @@ class Descent {
   }
 
  private:
-  /// Where the descent goes there may be no directions, although there are at its start.
+  /// The descent may come to a point without directions, although its start has them.
   void require_frame(const SurfacePoint& point) const {
     try {
       TangentFrame(geometry_, point);
@@ -170,7 +169,7 @@ class Descent {
     }
     Move move = along(here, std::atan2(y, x));
     const double determinant = xx * yy - xy * xy;
-    // Where all lie on one line, a median has no second derivative along it.
+    // Where all points lie on one line, a median has no second derivative along it.
     if (here.held == 0.0 && determinant > 1e-12 * (xx + yy) * (xx + yy)) {
       const double to_x = (yy * x - xy * y) / determinant, to_y = (xx * y - xy * x) / determinant;
       move = {std::atan2(to_y, to_x), std::hypot(to_x, to_y)};
@@ -186,8 +185,8 @@ class Descent {
     return along(here, here.slope(edge) < here.slope(back) ? edge : back);
   }
 
-  /// At a vertex, in the direction in which the sum falls fastest: between the angles at which a path comes
-  /// to lead straight back, the slope is a sine.
+  /// At a vertex, in the direction in which the sum falls fastest: between the angles at which paths begin or
+  /// cease to lead straight back, the slope is a sine.
   static Move steepest(const Place& here) {
     struct Part {
       double begin, cosine, sine, constant;
@@ -226,8 +225,8 @@ class Descent {
     return along(here, best);
   }
 
-  /// Along a line, or half or a quarter of it, or to a vertex where paths turn: there, the sum has an edge,
-  /// towards which lines lead only step by step. \return false if none of it makes the sum less.
+  /// Moves along a line, or half or a quarter of it, or to a vertex where paths turn: there, the sum has a
+  /// kink, which lines approach only step by step. \return false if no move lowers the sum.
   bool go(Place& here, const Move& move) {
     for (double length = move.length; length > least_move * here.farthest; length *= 0.5) {
       const TracedEnd end = trace(here.frame, here.frame.vector(move.angle, length), AtBorder::end);
@@ -261,7 +260,7 @@ class Descent {
   const Power power_;
   const int threads_;
   Progress progress_;
-  std::vector<Index> tried_;  ///< vertices where the sum was no less than at a place since, so will not be
+  std::vector<Index> tried_;  ///< vertices not to be tried again: the sum there is no lower than here
 };
 
 /// The given points on the mesh. \throw InvalidInput as centre_of().
@@ -300,7 +299,7 @@ std::vector<double> checked_weights(std::span<const double> weights, std::size_t
 std::vector<double> least_energies(Workers& workers, const PointList& points, std::span<const double> weights,
                                    Power power, std::span<const double> row, const Progress& progress) {
   const std::size_t count = points.size();
-  // By the triangle inequality, no point is farther from another than the way past a third one.
+  // By the triangle inequality, no point is farther from another than by way of a third one.
   std::vector<double> limit(count, unreachable);
   const auto narrow = [&](std::span<const double> distance) {
     double farthest = 0.0;
@@ -330,7 +329,7 @@ std::vector<double> least_energies(Workers& workers, const PointList& points, st
       rows[k] = workers.few_distances(from, points, limit[open[k]], worker);
       for (std::size_t j = 0; j < count; ++j) {
         if (!(weights[j] > 0.0) || rows[k][j] < unreachable || limit[open[k]] == unreachable) continue;
-        rows[k] = workers.few_distances(from, points, unreachable, worker);  // the limit was an index's
+        rows[k] = workers.few_distances(from, points, unreachable, worker);  // an index's limit is too short
         break;
       }
     });
@@ -357,7 +356,7 @@ std::vector<double> least_energies(Workers& workers, const PointList& points, st
 
 namespace {
 
-/// Fields that least_energies() takes, mostly.
+/// The typical number of fields that least_energies() takes.
 double expected_rows(std::size_t points) {
   const auto count = static_cast<double>(points);
   return std::min(count, 4.0 * std::sqrt(count));

@@ -72,8 +72,8 @@ double sparse_bytes(double entries) { return entries * (sizeof(Entry) + sizeof(I
 
 namespace {
 
-/// For each row the entries within the radius that are wanted(row, column). `held`: entries of the result for
-/// each of them.
+/// For each row, the entries within the radius for which wanted(row, column). `held`: how many entries of the
+/// result each of them makes.
 template <class Wanted>
 std::vector<std::vector<Entry>> entries_within(Surface& surface, const PointList& rows,
                                                const PointList& columns, double radius, std::size_t held,
@@ -106,7 +106,7 @@ SparseDistances pairs_within(Surface& surface, const PointList& given, double ra
                                [](std::size_t i, std::size_t j) { return i != j; });
     return compressed(rows);
   }
-  // The pairs whose field is that of the row.
+  // The pairs that are read from the field of the row.
   auto upper = entries_within(
       surface, points, points, radius, 2, max_bytes, options,
       [&](std::size_t i, std::size_t j) { return points[j] == points[i] ? i < j : points[i] < points[j]; });
@@ -135,7 +135,7 @@ NearestOfSet nearest_of_set(Surface& surface, const PointList& set_points, const
                             std::size_t count, const TaskOptions& options) {
   const PointList set = points_on(*surface.mesh(), set_points, "Point");
   const PointList queries = points_on(*surface.mesh(), query_points, "Query");
-  // A field for each of the fewer points, which for a query is that of the ways to it.
+  // A field for each point of the shorter list; from queries on the reversed surface, as paths lead to them.
   const bool by_query = queries.size() <= set.size();
   Workers workers(by_query ? surface.reversed() : surface, options,
                   static_cast<double>(std::min(set.size(), queries.size())));

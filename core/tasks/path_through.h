@@ -18,11 +18,11 @@ ExactPath path_through(Surface& surface, const PointList& points, bool closed,
                        const TaskOptions& options = {});
 
 /// The exact shortest paths from each of some points on the mesh to the next, and where `closed` from the
-/// last to the first. Their time is in addition to that of earlier ones in `options.answered`. \throw
-/// InvalidInput for two that no path joins; Cancelled.
+/// last to the first. Their time is added to that in `options.answered`. \throw InvalidInput for two that no
+/// path joins; Cancelled.
 std::vector<ExactPath> legs_between(Surface& surface, const PointList& points, bool closed,
                                     const TaskOptions& options);
-/// The same from points to the next ones of a list; `closed`: the last of these is its first point.
+/// The same for given pairs of neighbours in a list; `closed`: the last target is its first point.
 std::vector<ExactPath> legs_between(Surface& surface, const PointPairs& ends, bool closed,
                                     const TaskOptions& options);
 

@@ -49,7 +49,7 @@ void require_simple(const std::vector<std::vector<Index>>& legs) {
     if (i == j) continue;
     const std::set<Index> other(legs[j].begin(), legs[j].end());
     const auto shared = std::ranges::count_if(legs[i], [&](Index point) { return other.contains(point); });
-    // The points from the common end on that both legs pass.
+    // How many points both legs share from their common end on.
     std::ptrdiff_t together = 0;
     const auto count = [&](auto a, auto b, auto a_end, auto b_end) {
       together += std::mismatch(a, a_end, b, b_end).first - a;
@@ -79,7 +79,7 @@ EnclosedPart enclosed_by(const Mesh& mesh, const std::vector<ExactPath>& legs) {
   return EnclosedPart(mesh, std::move(cut), "The legs of the polygon");
 }
 
-/// All but the corners and the cut.
+/// The polygon without its corners and its cut.
 GeodesicPolygon measured(const Mesh& mesh, std::vector<ExactPath> legs, const EnclosedPart& inside) {
   GeodesicPolygon polygon;
   for (const ExactPath& leg : legs) polygon.perimeter += leg.path.length;
@@ -112,7 +112,7 @@ GeodesicPolygon measured(const Mesh& mesh, std::vector<ExactPath> legs, const En
   polygon.gauss_bonnet = 2.0 * pi * inside.euler_characteristic();
   for (const auto& [point, sum] : angle) {
     const auto found = border_edges.find(point);
-    // A place where the border touches itself, as at a hole, is a point for each part of the inside there.
+    // Where the border touches itself, as at a hole, the point counts once for each part of the inside there.
     const int parts = found == border_edges.end() ? 1 : found->second / 2;
     if (parts == 1 && point >= mesh.vertex_count() && !ends_of_legs.contains(point)) continue;
     if (found != border_edges.end()) {
@@ -160,7 +160,7 @@ namespace {
 
 /// Directions that differ by less, in radians, are one.
 constexpr double same_direction = 1e-9;
-/// By so much an angle of a hull may be above pi, in radians.
+/// An angle of a hull may exceed pi by this, in radians.
 constexpr double straight_angle_slack = 1e-6;
 
 /// Walks around points, from each to the next one that has all others to its left.
@@ -182,7 +182,7 @@ class GiftWrapping {
       throw InvalidInput("A convex hull has three different points or more; there are " +
                          std::to_string(points_.size()) + ".");
     }
-    // The farthest of them from any is a corner; if not, the walk comes to the corners after some steps.
+    // The point farthest from any other is a corner; if not, the walk reaches the corners after some steps.
     Index here = farthest_from_first();
     std::vector<Index> walk, place(points_.size(), no_index);
     while (place[here] == no_index) {
@@ -223,8 +223,8 @@ class GiftWrapping {
     return static_cast<Index>(place);
   }
 
-  /// `before`: the corner before; no_index at the first one, from which the walk goes with the outside, where
-  /// no point is in sight over the widest angle, to its right.
+  /// `before`: the previous corner; no_index at the first one. There, the outside is in the widest angle
+  /// without points, and the walk keeps it to its right.
   Index next_from(Index here, Index before) {
     const TangentFrame frame = frame_at(points_[here]);
     const LogMap seen = seen_from(frame);
@@ -274,7 +274,7 @@ class GiftWrapping {
     return turn < same_direction ? turn + full : turn;
   }
 
-  /// Whether one of two paths from one point leads on where the other ends, or to its right where they part.
+  /// Whether `path` leads on where `other` ends, or to its right where they part; both begin at one point.
   bool leads_right(const std::vector<SurfacePoint>& path, const std::vector<SurfacePoint>& other) const {
     for (std::size_t i = 1;; ++i) {
       if (i == path.size() || i == other.size()) return i == other.size();
@@ -307,7 +307,7 @@ class GiftWrapping {
   const std::vector<bool> turned_;
   std::vector<SurfacePoint> points_;  ///< each once
   std::vector<Index> position_;       ///< in the list
-  double least_distance_ = 0.0;       ///< what is nearer is in no direction
+  double least_distance_ = 0.0;       ///< points nearer than this have no direction
 };
 
 [[noreturn]] void refuse_hull(const std::string& why) {

@@ -16,7 +16,7 @@ namespace vorogeo {
 
 namespace {
 
-/// Whether two faces run along an edge of both in opposite directions; true if they share none.
+/// Whether two faces run along their common edge in opposite directions; true if they share none.
 bool are_turned_alike(const Mesh& mesh, Index a, Index b) {
   for (Index h = 3 * a; h < 3 * a + 3; ++h) {
     for (Index g = 3 * b; g < 3 * b + 3; ++g) {
@@ -34,7 +34,7 @@ Point normal_at(const Mesh& mesh, const SurfacePoint& point) {
   bool is_turned = false;
   for_each_face_at(mesh, point, [&](Index face, const std::array<double, 3>& weights) {
     if (mesh.is_bridge(face)) return;
-    // Faces around a vertex come one beside the other.
+    // The faces around a vertex come in order, each beside the one before.
     if (before != no_index && !are_turned_alike(mesh, before, face)) is_turned = !is_turned;
     before = face;
     const auto& [a, b, c] = mesh.face_vertices(face);
@@ -70,7 +70,7 @@ Profile profile(const Mesh& mesh, const std::function<const SurfaceLocator&()>& 
     const bool is_turned = first != no_index && turned[first];
     return moved({}, is_turned != turned_over ? -1.0 : 1.0, normal_at(mesh, point));
   };
-  /// The normals of a face's corners, with the weights of a point.
+  /// The normals at a face's corners, interpolated at a point.
   const auto between_corners = [&](Index face, const SurfacePoint& point) {
     std::array<double, 3> weights{};
     weights_in_face(mesh, point, face, weights);

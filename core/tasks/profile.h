@@ -9,9 +9,9 @@
 
 namespace vorogeo {
 
-/// The normal of the surface at a point, of length 1: that of its face, or the mean of the faces there, at a
-/// vertex by their angles. Its side is that of the first face, whichever way the others are turned. 0 where
-/// no face has an area.
+/// The normal of the surface at a point, of length 1: that of its face, or the mean over the faces there, at
+/// a vertex weighted by their angles. Its side is that of the first face, whichever way the others are
+/// turned. 0 where no face has an area.
 Point normal_at(const Mesh& mesh, const SurfacePoint& point);
 
 /// `locate`: returns a locator of the mesh. `turned_over`: normals are on the other side. \throw InvalidInput

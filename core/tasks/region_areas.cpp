@@ -51,7 +51,7 @@ std::vector<RegionArea> region_areas(const Mesh& mesh, std::span<const Index> la
 namespace {
 
 /// The points of a closed line in their order, each once. A stretch that is passed forth and at once back, as
-/// neighbouring legs may begin together, encloses nothing and is left out.
+/// where neighbouring legs share their beginning, encloses nothing and is left out.
 std::vector<Index> without_spurs(const std::vector<Index>& line) {
   std::vector<Index> open;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {

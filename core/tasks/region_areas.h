@@ -8,15 +8,15 @@
 
 namespace vorogeo {
 
-/// By region 0 to `regions` - 1, of faces with that label. `label`: by face as given; others than these
-/// numbers are of no region. \throw NotEnoughMemory; Cancelled. Complexity: O(faces + regions).
+/// The areas of regions 0 to `regions` - 1, of faces with that label. `label`: by face as given; faces with
+/// another number belong to no region. \throw NotEnoughMemory; Cancelled. Complexity: O(faces + regions).
 std::vector<RegionArea> region_areas(const Mesh& mesh, std::span<const Index> label, std::size_t regions,
                                      const TaskOptions& options = {});
 
-/// Of the side of a closed curve without border of the mesh, else of the smaller one (EnclosedPart). The
-/// border is the curve, without what it passes forth and at once back. \throw InvalidInput for a curve that
-/// is not closed, crosses or touches itself (names its points), or has one and the same side, and as
-/// cut_along(); Cancelled. Complexity: O(n log n) for n faces.
+/// The area of the side of a closed curve that has no border of the mesh, else of the smaller one
+/// (EnclosedPart). The border is the curve, without stretches that it passes forth and at once back. \throw
+/// InvalidInput for a curve that is not closed, crosses or touches itself (names the point), or has the same
+/// side left and right, and as cut_along(); Cancelled. Complexity: O(n log n) for n faces.
 RegionArea enclosed_area(const Mesh& mesh, const PointList& curve, const TaskOptions& options = {});
 
 }  // namespace vorogeo

@@ -156,10 +156,10 @@ namespace {
 
 /// Least step: a fraction of the line from a point to the centre of its region.
 constexpr double least_step = 0.1;
-/// Rounds until points have settled, mostly.
+/// The typical number of rounds until points have settled.
 constexpr double rounds_to_settle = 12.0;
 
-/// The surface as points divide it, by vertex.
+/// How points divide the surface, by vertex.
 struct Division {
   std::vector<double> distance;
   std::vector<Index> region;  ///< the nearest point
@@ -185,7 +185,7 @@ SurfacePoint candidate_of(const Mesh& mesh, const std::vector<double>& area, con
   SurfacePoint best = site;
   double least = unreachable;
   for (Index v : region) {
-    if (v >= mesh.given_vertex_count()) break;  // a region is in order
+    if (v >= mesh.given_vertex_count()) break;  // vertices of a region ascend
     const Point& p = mesh.position(v);
     const double distance = std::hypot(p[0] - wanted[0], p[1] - wanted[1], p[2] - wanted[2]);
     if (distance >= least) continue;
@@ -217,7 +217,7 @@ RelaxedPoints relax_points(Surface& surface, const PointList& given, Index round
         "and no positions; give positions as well.");
   }
   if (rounds < 0) throw InvalidInput("The number of rounds is negative; give 0 or more.");
-  // An index saves what lies beyond the short reach of each point, where its fields are exact, too.
+  // An index gains only beyond the short reach of each point, within which its fields are exact runs, too.
   Workers workers(surface, options, std::min<double>(rounds, rounds_to_settle) + 1.0,
                   std::max(0.0, 1.0 - (static_cast<double>(points.size()) - 1.0) * surface.short_reach()),
                   true);
@@ -231,7 +231,7 @@ RelaxedPoints relax_points(Surface& surface, const PointList& given, Index round
     division.distance = workers.field_on_all_threads(sites, unreachable, &division.region);
     return division;
   };
-  // By region, of which the distances may be those from other points.
+  // By region, also with distances from other points than those that own the regions.
   const auto energies = [&](const std::vector<Index>& region, const std::vector<double>& distance) {
     std::vector<double> energy(count, 0.0);
     for (std::size_t v = 0; v < region.size(); ++v) {
@@ -268,7 +268,7 @@ RelaxedPoints relax_points(Surface& surface, const PointList& given, Index round
     Division next = divide(moved);
     std::vector<double> there = energies(now.region, next.distance);
     if (!(sum(there) < result.energy.back())) {
-      // Those whose region would have more go back.
+      // Points whose region would have more energy go back.
       for (std::size_t i = 0; i < count; ++i) {
         if (moved[i] == result.points[i] || there[i] < energy[i]) continue;
         moved[i] = result.points[i];
@@ -278,13 +278,13 @@ RelaxedPoints relax_points(Surface& surface, const PointList& given, Index round
       next = divide(moved);
       there = energies(now.region, next.distance);
     }
-    // More only if those that went back had helped the region of a neighbour, or an index errs.
+    // The sum is no less only if points that went back had helped a neighbour's region, or if an index errs.
     const bool is_less = sum(there) < result.energy.back();
     for (std::size_t i = 0; i < count; ++i) {
       if (moved[i] != result.points[i]) step[i] = is_less ? 1.0 : 0.5 * step[i];
     }
     if (!is_less) continue;
-    // A point that had settled tries again in another region.
+    // A point that had settled tries again if its region has changed.
     for (std::size_t v = 0; v < now.region.size(); ++v) {
       if (now.region[v] == next.region[v]) continue;
       for (const Index i : {now.region[v], next.region[v]}) {

@@ -57,12 +57,12 @@ struct RelaxedPoints {
 /// 2006). Points may begin anywhere and move to vertices. In a round every point tries the vertex of its
 /// region that is nearest in space to the region's centre of mass, or, after a failure, to a point half as
 /// far along the line there. All move if that lowers the integral of squared geodesic distances over the
-/// surface; otherwise those stay over whose region it would grow, so the energy never rises. Ends after
-/// `rounds`, or when no point finds a better vertex; one that has not found any tries again when its region
-/// has changed. A point that repeats an earlier one owns no region and waits until that one has moved. \throw
-/// InvalidInput for no point or one that is not on the mesh, or negative rounds; Cancelled. Complexity: one
-/// or two fields from all points for each round, which may be quick ones. `weights`: of vertices, instead of
-/// a third of their faces. `power`: of the distances, by which the energy counts.
+/// surface; otherwise a point stays if the integral over its region would grow, so the energy never rises.
+/// Ends after `rounds`, or when no point finds a better vertex; a point that has found none tries again when
+/// its region has changed. A point that repeats an earlier one owns no region and waits until that one has
+/// moved. \throw InvalidInput for no point or one that is not on the mesh, or negative rounds; Cancelled.
+/// Complexity: one or two fields from all points for each round, which may be quick ones. `weights`: of
+/// vertices, instead of a third of their faces. `power`: of the distances, by which the energy counts.
 RelaxedPoints relax_points(Surface& surface, const PointList& points, Index rounds,
                            const TaskOptions& options = {}, std::span<const double> weights = {},
                            Power power = Power::two);

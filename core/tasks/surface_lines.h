@@ -18,8 +18,8 @@ namespace vorogeo {
 
 double total_length(const SurfaceLines& lines);
 
-/// The numbers along each line that segments make, given in any order and direction: open lines from end to
-/// end, then closed ones from their least number round to it. `name`: of a number, for errors. \throw
+/// The lines that segments make, given in any order and direction, by the numbers along them: open lines from
+/// end to end, then closed ones from their least number round to it. `name`: of a number, for errors. \throw
 /// InvalidInput if one branches. Complexity: O(n log n).
 std::vector<std::vector<Index>> lines_in_order(std::vector<std::array<Index, 2>> segments,
                                                const std::function<std::string(Index)>& name);
@@ -94,7 +94,7 @@ void require_field_and_levels(const Mesh& mesh, std::span<const double> field,
 double crossing(double at_first, double at_second, double length, double level, Interpolation interpolation);
 
 /// Calls visit(edge, fraction along it, falls) for the two sides of a face on which a field passes a level,
-/// if there are such: falls is whether the side, as the face is turned, begins at or above it.
+/// if there are any; `falls`: whether the side begins at or above the level, in the direction of the face.
 template <class Visit>
 void for_each_crossing(const Mesh& mesh, std::span<const double> values, Index face, double level,
                        Interpolation interpolation, Visit&& visit) {

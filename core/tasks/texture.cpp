@@ -15,7 +15,7 @@ namespace vorogeo {
 
 namespace {
 
-/// Of faces without coordinates.
+/// For faces without coordinates.
 constexpr std::array<double, 2> no_stretch{std::numeric_limits<double>::quiet_NaN(),
                                            std::numeric_limits<double>::quiet_NaN()};
 
@@ -25,8 +25,8 @@ void require_above_0(double value, const char* what) {
                      "; it must be a finite number above 0.");
 }
 
-/// The factors by which a picture is stretched whose triangle has the sides `u` and `v` and lies on a face of
-/// the sides `a` and `b`: the singular values of the linear map between them.
+/// The factors by which a picture is stretched when its triangle of the sides `u` and `v` is laid onto a face
+/// of the sides `a` and `b`: the singular values of the linear map between them.
 std::array<double, 2> stretch_of(const Tangent& u, const Tangent& v, const Point& a, const Point& b) {
   const double determinant = u[0] * v[1] - u[1] * v[0];
   std::array<Point, 2> image{};  // of the unit vectors of the picture

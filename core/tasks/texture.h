@@ -13,9 +13,9 @@ struct Placement {
 };
 
 /// By vertex and by face, as they were given. From the logarithmic map: lines through the middle of the
-/// picture become shortest paths from the point, of their true length. Where paths come round different ways
-/// (the cut locus), faces are stretched at random. \throw InvalidInput as log_map(), for a radius or a scale
-/// that is not above 0, and a rotation that is not finite. Complexity: that of the log map.
+/// picture become shortest paths from the point, of their true length. Across the cut locus, where paths come
+/// from different sides, faces are stretched arbitrarily. \throw InvalidInput as log_map(), for a radius or a
+/// scale that is not above 0, and a rotation that is not finite. Complexity: that of the log map.
 TextureCoordinates texture_coordinates(Surface& surface, const SurfacePoint& point,
                                        const Placement& placement, const TaskOptions& options);
 

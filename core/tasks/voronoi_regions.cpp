@@ -159,7 +159,7 @@ class CornerNumbers {
  public:
   explicit CornerNumbers(const Mesh& mesh) : mesh_(mesh) {}
 
-  /// `steps`: weights in parts of a side.
+  /// `steps`: the weights, times per_side.
   Index number(Index face, const std::array<Index, 3>& steps) {
     constexpr Index n = DividedFaces::per_side;
     std::array<double, 3> weights{};
@@ -267,7 +267,7 @@ struct SiteDistance {
   double distance;
 };
 
-/// For each vertex the sites that may own a part of one of its faces, with their distances; by site.
+/// For each vertex the sites that may own a part of one of its faces, with their distances; sorted by site.
 struct Candidates {
   std::vector<std::size_t> begin;
   std::vector<SiteDistance> entries;
@@ -279,9 +279,9 @@ struct Candidates {
   std::vector<Index> nearest;
 };
 
-/// Longest side of the faces at each vertex, as long as in the face: within a dear one, it is what points are
-/// apart. A site that owns a point of a face is, at the face's corners, at most twice this farther than the
-/// nearest one, by the triangle inequality.
+/// The longest side of the faces at each vertex, measured in the face: in a dear one, points are that far
+/// apart. By the triangle inequality, a site that owns a point of a face is at the face's corners at most
+/// twice this farther than the nearest site.
 std::vector<double> reach_of_vertices(const Mesh& mesh) {
   std::vector<double> reach(mesh.vertex_count(), 0.0);
   for (Index f = 0; f < mesh.face_count(); ++f) {
@@ -354,8 +354,8 @@ void sites_of_face(const Mesh& mesh, const Candidates& candidates, Index face, s
   }
 }
 
-/// The weights of the corners in the centre of a face, or in that of the split face of which it is the
-/// central part, up to a factor.
+/// The barycentric weights, up to a factor, of the centre of a face, or of the centre of the split face of
+/// which it is the central part.
 std::array<double, 3> centre_weights(const Mesh& mesh, Index face) {
   constexpr std::array<double, 3> own{1.0, 1.0, 1.0};
   if (!mesh.has_split_faces() || mesh.is_bridge(face)) return own;
@@ -365,7 +365,7 @@ std::array<double, 3> centre_weights(const Mesh& mesh, Index face) {
 }
 
 /// The site of least distance at each vertex; of equal ones, the first. Where an index errs so much that no
-/// site's own field is near the field of all, the site of that.
+/// site's own field is near the field of all sites, that field's site.
 void label_vertices(const Candidates& candidates, VoronoiRegions& regions) {
   for (Index v = 0; v < static_cast<Index>(regions.vertex_region.size()); ++v) {
     if (candidates.at(v).empty()) {
@@ -380,7 +380,7 @@ void label_vertices(const Candidates& candidates, VoronoiRegions& regions) {
   }
 }
 
-/// Areas, borders and the labels of the centres of faces with several sites where the metric jumps.
+/// Adds the areas and borders in contested faces where the metric jumps, and labels them by their centres.
 void divide_faces(const DividedFaces& divided, const Mesh& mesh, VoronoiRegions& regions) {
   BorderTracer tracer(divided.parts(), regions.border_regions);
   for (Index part = 0; part < divided.parts().face_count(); ++part) {

@@ -59,8 +59,8 @@ struct ContestedFace {
 };
 
 /// Where the metric jumps, paths into a dear face come from many of its sides, and distances inside do not
-/// follow from the distances of its corners. So the contested faces are divided, and the distances of the
-/// corners of their parts are asked for.
+/// follow from the distances of its corners. So the contested faces are divided, and the corners of their
+/// parts get distances of their own.
 class DividedFaces {
  public:
   /// Parts of each side of a face.
@@ -73,7 +73,7 @@ class DividedFaces {
   DividedFaces(Workers& workers, const PointList& sites, std::vector<ContestedFace> contested, double radius,
                const Progress& progress);
 
-  /// The parts of all contested faces, in space; those of contested face i are faces i * parts_per_face on.
+  /// The parts of all contested faces, in space; those of contested face i begin at face i * parts_per_face.
   const Mesh& parts() const { return *parts_; }
   const std::vector<ContestedFace>& contested() const { return contested_; }
   /// The sites known at all three corners of a part.

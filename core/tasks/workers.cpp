@@ -15,7 +15,7 @@ namespace vorogeo {
 
 namespace {
 
-/// The part of the surface from which an exact field is shared by threads.
+/// Threads share an exact field that reaches more than this part of the surface.
 constexpr double least_shared_reach = 0.25;
 
 std::vector<ExactSource> as_sources(const PointList& points) {

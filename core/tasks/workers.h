@@ -28,7 +28,7 @@ struct TaskOptions {
 };
 
 /// The part of the surface that a field from one of so many sites reaches, until it has covered the site's
-/// Voronoi region: with a margin, as these differ in size.
+/// Voronoi region: with a margin, as regions differ in size.
 inline double reach_of_regions(double sites) { return std::min(1.0, 4.0 / std::max(1.0, sites)); }
 
 /// Notes in `options.answered`, if it is wanted, that a task was answered exactly and without workers.
@@ -45,7 +45,7 @@ void require_radius(double radius);
 /// against it.
 class Workers {
  public:
-  /// For a task of about so many fields, each of which reaches the part `reach` of the surface (0 to 1). An
+  /// For a task of about `fields` fields, each of which reaches the part `reach` of the surface (0 to 1). An
   /// index that is needed is built here. `may_be_quick`: the task asks for fields only. \throw InvalidInput
   /// for the quick method otherwise; Cancelled.
   Workers(Surface& surface, const TaskOptions& options, double fields, double reach = 1.0,
@@ -67,7 +67,7 @@ class Workers {
   /// See Query::distances.
   std::vector<double> distances(const SurfacePoint& source, const PointList& targets, double max_distance,
                                 int worker);
-  /// So many distances of pairs take as long as a field from the index.
+  /// How many distances of pairs take as long as a field from the index.
   double pairs_per_field(bool only_vertices) const;
   /// The same as distances(), by pairs where the index answers so few of them faster.
   std::vector<double> few_distances(const SurfacePoint& source, const PointList& targets, double max_distance,
@@ -94,7 +94,7 @@ class Workers {
   double reach_;
   std::vector<std::unique_ptr<Query>> queries_;  ///< by worker
   int uncaught_ = 0;
-  Stopwatch watch_;  ///< of the answers, without an index built for them
+  Stopwatch watch_;  ///< of the answers, without the build of an index
 };
 
 }  // namespace vorogeo
