@@ -15,9 +15,9 @@
 
 namespace vorogeo::plugin {
 
-/// Runs what is posted, in order. What still waits when the next one comes is dropped, except what was posted
-/// to be kept. What runs is finished, not cancelled: when work comes faster than it is done, some is done all
-/// the same. All public functions are called from one thread.
+/// Runs posted work, in order. Work that still waits when more is posted is dropped, unless it is to be kept.
+/// Running work is finished, not cancelled: so some is done even where work comes faster than it is done. All
+/// public functions are called from one thread.
 class Background {
  public:
   /// May be cancelled where it reports to the progress or has a checkpoint. It handles all its errors but
@@ -29,16 +29,15 @@ class Background {
   Background(const Background&) = delete;
   Background& operator=(const Background&) = delete;
 
-  /// Drops what waits, if it is not kept, and lets this wait in its place. `is_kept`: it will be done, before
-  /// later work.
+  /// Drops waiting work that is not kept, and lets this wait. `is_kept`: it will be done, before later work.
   void post(Work work, bool is_kept = false);
-  /// Drops all that waits and cancels what runs.
+  /// Drops all waiting work and cancels the running one.
   void clear();
   /// As clear(), and returns when the thread has ended. The next work starts a new one.
   void stop();
   /// Whether there is work that has not ended.
   bool is_running() const;
-  /// Of the work that runs, as it last reported.
+  /// The progress of the running work, as it last reported.
   double fraction() const;
 
  private:

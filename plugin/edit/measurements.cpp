@@ -132,7 +132,7 @@ void Measurements::rename(int number, const std::string& name) {
     remember();
     measurement->name = on_one_line(name);
   }
-  tell();  // also where the table shows a name that is not taken
+  tell();  // also where the name is refused, as the table shows it
 }
 
 void Measurements::hide(int number, bool is_hidden) {
@@ -164,7 +164,7 @@ void Measurements::undo() {
 void Measurements::compare(int layer, const MeshIn& mesh_in) {
   std::vector<std::pair<RulerMetric, std::optional<Fingerprint>>> known;
   const auto now_in = [&](const RulerMetric& wanted) {
-    // Only quality makes one mesh another one.
+    // Only a metric of quality changes the fingerprint.
     const RulerMetric metric = wanted.is_of_quality() ? wanted : RulerMetric{};
     for (const auto& [other, fingerprint] : known) {
       if (other == metric) return fingerprint;
@@ -295,7 +295,7 @@ std::string Measurements::written(bool whole) const {
 
 namespace {
 
-/// Takes the words of a line one after the other; what is missing or no number makes the line a bad one.
+/// Reads the words of a line one by one; a missing word or one that is no number makes the line a bad one.
 class Words {
  public:
   explicit Words(const std::string& line) : stream_(line) {}
@@ -363,7 +363,7 @@ bool read_items(const std::string& text, Read&& read) {
   return true;
 }
 
-/// The cells of a CSV file, line by line. Two quotes within quotes are one that is meant.
+/// The cells of a CSV file, line by line. Two quotes within quotes stand for one.
 std::vector<std::vector<std::string>> cells_of(const std::string& text) {
   std::vector<std::vector<std::string>> lines;
   lines.emplace_back(1);
@@ -386,8 +386,8 @@ std::vector<std::vector<std::string>> cells_of(const std::string& text) {
   return lines;
 }
 
-/// A cell of a measurement, in the column of this name. Columns that say nothing about it are read over.
-/// \return whether it is a good one.
+/// Reads a cell of a measurement in the column of this name; columns that say nothing about it are skipped.
+/// \return whether the cell is a good one.
 bool read_cell(const std::string& column, const std::string& text, Measurement& m) {
   Words words(text);
   if (column == "name") {

@@ -70,13 +70,13 @@ struct Value {
   friend bool operator==(const Value&, const Value&) = default;
 };
 
-/// What the coordinates of the document count in. Values are not converted.
+/// The unit of the document's coordinates. Values are not converted.
 enum class LengthUnit : std::uint8_t { model, mm, cm, m, inch };
 inline constexpr std::array<const char*, 5> unit_names{"model", "mm", "cm", "m", "inch"};
 /// Such as "mm" or its square; empty for a ratio.
 std::string unit_of(Quantity quantity, LengthUnit unit);
 
-/// What paths cost and which gaps they cross, as parameters of the filters have it.
+/// What paths cost and which gaps they cross, as in the parameters of the filters.
 struct RulerMetric {
   LayerMetric metric = LayerMetric::length;
   double weight = 0.0;  ///< slope_penalty or curvature_weight; 0 in other metrics
@@ -94,10 +94,10 @@ std::string name_of(const RulerMetric& metric);
 // ---- Measurements
 
 struct Measurement {
-  int number = 0;  ///< from 1; never used again
+  int number = 0;  ///< from 1; never reused
   std::string name;
   MeasureKind kind = MeasureKind::distance;
-  int layer = 0;  ///< the host's number of the layer; -1: none of the document
+  int layer = 0;  ///< the host's number of the layer; -1 if the document has none
   std::string layer_name;
   std::vector<Value> values;  ///< the first is what was asked for: `unreachable` without a path
   std::vector<Point> points;  ///< on the surface, by which it is measured again
@@ -108,7 +108,7 @@ struct Measurement {
   bool is_hidden = false;
   bool is_of_another_mesh = false;  ///< the layer was edited since
 
-  /// It was imported, and not measured since.
+  /// Whether it was imported and not measured since.
   bool lacks_lines() const {
     return path.lines.points.empty() && !values.empty() && std::isfinite(values.front().value);
   }
@@ -128,17 +128,17 @@ class Measurements {
 
   /// Gives it the next number, and a name from it if it has none. `mesh`: on which it was taken.
   const Measurement& add(Measurement measurement, const VcgMeshArrays& mesh);
-  /// The same measured again: number, name and whether it is hidden stay. That one which was imported gets
-  /// its lines is no change to be undone. \return null if it is gone.
+  /// The same measured again: number, name and whether it is hidden stay. If it was imported and only gets
+  /// its lines, undo() skips that. \return null if it is gone.
   const Measurement* replace(int number, Measurement measurement, const VcgMeshArrays& mesh);
   void remove(const std::vector<int>& numbers);
   void rename(int number, const std::string& name);
   void hide(int number, bool is_hidden);
   void set_unit(LengthUnit unit);
-  /// Takes the last of these changes back, but for the unit.
+  /// Takes back the last of these changes, except of the unit.
   void undo();
-  /// The mesh of a layer as it is now, in any metric, null where it has none: measurements of another one are
-  /// kept, but say so.
+  /// The mesh of a layer as it is now, in a metric; null where it has none. compare() keeps measurements of
+  /// another mesh, but marks them.
   using MeshIn = std::function<const VcgMeshArrays*(const RulerMetric&)>;
   void compare(int layer, const MeshIn& mesh_in);
   /// `changed` is called now and after every change, until unwatch(who).
@@ -147,20 +147,20 @@ class Measurements {
 
   static std::vector<std::string> columns();
   std::vector<std::string> row(const Measurement& measurement) const;
-  /// What was asked for, as it stands beside the path: four digits, those of its whole part, and its unit.
+  /// The first value, as it stands beside the path: four digits, or all of its whole part, and its unit.
   std::string label(const Measurement& measurement) const;
   static std::string four_digits(double value);
-  /// With tabs, a line for each row, the first with the columns: what spreadsheets take from the clipboard.
+  /// Tab-separated rows, the first with the columns: what spreadsheets take from the clipboard.
   std::string table() const;
   /// The number of a layer, -1 if there is none of that name.
   using LayerOf = std::function<int(const std::string& name)>;
-  /// With commas and all digits: a column for each quantity, and the points.
+  /// Comma-separated, with all digits: a column for each quantity, and the points.
   std::string csv() const { return written(false); }
-  /// Adds what csv() wrote, without lines. \throw InvalidInput for anything else, also for another unit than
-  /// that of measurements that are there (names the line); nothing is changed then.
+  /// Adds what csv() wrote, without lines. \throw InvalidInput for anything else, also for a unit other than
+  /// that of the present measurements (names the line); nothing is changed then.
   void add_csv(const std::string& text, const LayerOf& layer_of) { take(text, false, layer_of); }
 
-  /// Everything, to be read again: the same with more columns.
+  /// Everything, to be read again: csv() with more columns.
   std::string text() const { return written(true); }
   /// Replaces everything by what text() wrote. \throw InvalidInput as add_csv().
   void read(const std::string& text, const LayerOf& layer_of) { take(text, true, layer_of); }
@@ -173,7 +173,7 @@ class Measurements {
   void tell();
 
   std::vector<Measurement> all_;
-  std::vector<std::vector<Measurement>> before_;  ///< earlier states, the last one last
+  std::vector<std::vector<Measurement>> before_;  ///< for undo(): earlier states, the latest last
   LengthUnit unit_ = LengthUnit::model;
   int last_ = 0;
   int revision_ = 0;

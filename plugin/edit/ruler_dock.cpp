@@ -93,7 +93,7 @@ RulerDock::RulerDock(QWidget* parent, Actions actions)
   table_->verticalHeader()->hide();
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  // Later, as the table is filled anew, while an item that tells of its change is still in use.
+  // Queued, as the table is filled anew while the item that reports its change is still in use.
   connect(table_, &QTableWidget::cellChanged, this, &RulerDock::change, Qt::QueuedConnection);
   rows->addWidget(table_);
 
@@ -178,7 +178,7 @@ void RulerDock::show_measurements(const Measurements& measurements) {
   unit_->setCurrentIndex(static_cast<int>(measurements.unit()));
 }
 
-/// What is no number is one that the metric refuses in a sentence.
+/// Text that is no number becomes NaN, which the metric refuses in a sentence.
 void RulerDock::change_metric() {
   const auto number_in = [](const QLineEdit* field) {
     bool is_number = true;
@@ -190,7 +190,7 @@ void RulerDock::change_metric() {
   actions_.choose_metric(metric);
 }
 
-/// The name or the tick of a row, by the user.
+/// The user has changed the name or the tick of a row.
 void RulerDock::change(int row, int column) {
   const QTableWidgetItem* item = column == name_column ? table_->item(row, column) : nullptr;
   if (item == nullptr) return;

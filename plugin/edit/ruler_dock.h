@@ -47,7 +47,7 @@ class RulerDock : public QDockWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  /// Numbers of the rows that are selected; of the last row if none is.
+  /// The measurements of the selected rows; that of the last row if none is selected.
   std::vector<int> chosen() const;
   void change(int row, int column);
   void change_metric();

@@ -17,7 +17,7 @@ namespace vorogeo::plugin {
 
 namespace {
 
-/// The whole text or nothing. \return why it could not be written; empty if it was.
+/// Writes the whole text or nothing. \return why it could not be written; empty if it was.
 QString write_file(const QString& name, const std::string& text) {
   QSaveFile file(name);
   const QByteArray bytes = QByteArray::fromStdString(text);
@@ -58,7 +58,7 @@ void RulerTool::save() {
       for (Point& point : path.lines.points) point = placement.to_scene(point);
       add_polyline_layer(*document_, *measured, QString::fromStdString(m.name), path.lines, path.along,
                          false);
-    } catch (const Error& error) {  // of a matrix that the layer has got since
+    } catch (const Error& error) {  // the layer has got a bad matrix since
       say(error.what());
     }
   }
@@ -88,7 +88,7 @@ void RulerTool::open() {
                                " measurements read from " + name.toStdString());
   const auto before = reading_;
   read_layer();
-  if (reading_ == before) measure_imported();  // otherwise they have been asked for
+  if (reading_ == before) measure_imported();  // otherwise read_layer() has done so
 }
 
 int RulerTool::layer_named(const std::string& name) const {
@@ -98,7 +98,8 @@ int RulerTool::layer_named(const std::string& name) const {
   return -1;
 }
 
-/// Beside the file of the project, as the host keeps nothing of tools in that; empty as long as it has none.
+/// A file beside that of the project, as the host stores nothing of tools in that; empty as long as the
+/// project has no file.
 QString RulerTool::file_of_project() const {
   const QFileInfo project(document_ == nullptr ? QString() : document_->docLabel());
   const bool is_project = project.suffix() == "mlp" || project.suffix() == "mlb";
@@ -123,7 +124,7 @@ void RulerTool::load(Measurements& list) {
   stored_revision_ = list.revision();
 }
 
-/// At every change, and when the project gets a file. A list without measurements makes no file.
+/// Writes the list if it has changed or the project has got a file. An empty list makes no file.
 void RulerTool::store() {
   const QString name = file_of_project();
   if (name.isEmpty() || !measurements_) return;

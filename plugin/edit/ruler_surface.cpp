@@ -262,7 +262,7 @@ void RulerSurface::measure_disk(const std::vector<SurfacePoint>& points, bool is
 
 namespace {
 
-/// Between the beginnings of two paths from the same point, on the side where it is smaller; in degrees.
+/// The angle between the beginnings of two paths from one point, on its smaller side; in degrees.
 double angle_between(Surface& surface, const SurfacePath& first, const SurfacePath& second) {
   const SurfacePoint& apex = first.points.front();
   const TangentFrame frame(agreeing_geometry(surface, apex), apex);

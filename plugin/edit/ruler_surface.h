@@ -43,7 +43,7 @@ class DragPaths {
  private:
   const std::chrono::milliseconds wait_;
   PathQuery corridors_;
-  PathsFromPoint from_source_;  ///< the propagation's while that runs
+  PathsFromPoint from_source_;  ///< belongs to the propagation while that runs
   SurfacePoint source_;
   std::atomic<bool> has_failed_ = false;  ///< no memory was left: all paths are searched in corridors
   Background propagation_;                ///< last, so that it ends before anything else is destroyed
@@ -59,7 +59,7 @@ class DragLog {
   void asked(Time now);
   /// An answer was computed; `seconds` of the worker.
   void computed(double seconds);
-  /// The window shows an answer that it did not show before; or a straight line, as that is not there yet.
+  /// The window shows a new answer, or a straight line as long as there is none.
   void shown(Time now, bool is_straight = false);
   /// For the log; empty if fewer than two answers were shown. `what`: such as "paths".
   std::string sentence(const std::string& what, const std::string& method) const;
@@ -67,7 +67,7 @@ class DragLog {
  private:
   int computed_ = 0;
   int shown_ = 0;
-  int straight_ = 0;  ///< of these
+  int straight_ = 0;  ///< how many of these are straight lines
   double sum_ = 0.0;
   double slowest_ = 0.0;
   double longest_ = 0.0;       ///< time between two frames
@@ -103,7 +103,7 @@ std::vector<double> round_values(double largest);
 struct RulerAnswer {
   bool is_field = false;
   bool is_straight = false;    ///< only the straight line between two points, shown until the path is there
-  bool is_on_surface = false;  ///< all that was picked; otherwise nothing else is meant to be read
+  bool is_on_surface = false;  ///< all picked points are; otherwise, nothing else here is valid
   Answer how = Answer::exact;
   double seconds = 0.0;
   std::string error;  ///< a sentence; empty if there is none
@@ -116,7 +116,7 @@ struct RulerAnswer {
 
   // Of a field:
   std::vector<double> distances;  ///< of all vertices
-  double largest = 0.0;           ///< of those that a path leads to
+  double largest = 0.0;           ///< of the finite distances
   SurfaceLines isolines;
 };
 
@@ -134,14 +134,14 @@ class RulerSurface {
   /// Null as long as there is none.
   std::shared_ptr<const GeodesicIndex> index() const { return layer_->index(); }
 
-  // By the worker only. All errors become sentences. \throw Cancelled.
-  /// Of points that are clicked, those beside the surface are left out. `is_last`: as it is kept, exact;
-  /// before, an index answers if there is one, and a polygon is shown as its border only.
+  // Called by the worker only. All errors become sentences. \throw Cancelled.
+  /// Clicked points beside the surface are left out. `is_last`: the answer is kept, so it is exact;
+  /// otherwise, an index answers if there is one, and of a polygon only the border is shown.
   RulerAnswer measure(MeasureKind kind, const std::vector<Picked>& picked, bool is_last = true,
                       const Progress& progress = {});
   RulerAnswer field(const Picked& from, const Progress& progress = {});
 
-  /// Ends what goes on between answers. Only while no answer is being computed.
+  /// Ends the propagation that goes on between answers. Only while no answer is being computed.
   void rest() { exact_paths_.reset(); }
 
  private:
@@ -161,7 +161,7 @@ class RulerSurface {
   const RulerMetric metric_;
   std::optional<std::vector<Index>> border_;  ///< the worker's: the edges, once they were asked for
   std::unique_ptr<DragPaths> exact_paths_;    ///< the worker's
-  std::vector<SurfacePoint> fixed_points_;    ///< the worker's: of a preview, those before the cursor
+  std::vector<SurfacePoint> fixed_points_;    ///< the worker's: all points of a preview but the last
   SurfacePath fixed_path_;                    ///< through them
 };
 

@@ -25,9 +25,9 @@ constexpr std::chrono::milliseconds tick_of_preparation{200};
 constexpr std::array<int, 4> snap_keys{Qt::Key_F, Qt::Key_V, Qt::Key_E, Qt::Key_B};  ///< by SnapTo
 constexpr QSize dock_size(460, 380);
 constexpr std::chrono::seconds tick_of_storing{1};
-/// A path that is not there after this time, that of a frame, is a straight line first.
+/// A path that takes longer than this, about a frame, is shown as a straight line first.
 constexpr std::chrono::milliseconds wait_for_exact{40};
-/// Pixels from a point of a measurement at which it is taken by the mouse.
+/// The mouse takes a point of a measurement that is at most so many pixels away.
 constexpr double reach_of_points = 10.0;
 
 /// The lines of a measurement, or the straight line between points that no path joins.
@@ -53,7 +53,7 @@ Point place_of_label(MeasureKind kind, const std::vector<Point>& points) {
   return middle;
 }
 
-/// As they are on the surface already, however far an edit has moved it.
+/// With any tolerance: points were on the surface, however far an edit has moved that since.
 std::vector<Picked> picked_at(const std::vector<Point>& points) {
   std::vector<Picked> picked;
   for (const Point& point : points) picked.push_back({point, unreachable});
@@ -203,7 +203,7 @@ std::shared_ptr<LayerSurface> RulerTool::read_layer_in(const RulerMetric& metric
   return read;
 }
 
-/// The same in the metric of a measurement; null, and a sentence, if there is none.
+/// The current layer in the metric of a measurement; if it cannot be read, says why and returns null.
 std::shared_ptr<RulerSurface> RulerTool::surface_in(const RulerMetric& metric) {
   if (surface_ && surface_->metric() == metric) return surface_;
   try {
@@ -253,14 +253,14 @@ void RulerTool::read_layer() {
   measure_imported();
 }
 
-/// Lines are not imported, and come with the same value.
+/// Imported measurements have no lines; measured again, they get these and the same values.
 void RulerTool::measure_imported() {
   for (const Measurement& m : measurements_->all()) {
     if (m.layer == layer_ && m.lacks_lines() && !m.is_of_another_mesh) measure_again(m);
   }
 }
 
-/// A request of no drag: nobody waits for its answer, but then everything is made that the first path needs.
+/// A request without a drag: nobody waits for its answer, but it makes all that the first path needs.
 void RulerTool::warm_up() {
   if (!surface_ || drag_ || surface_->arrays().positions.empty()) return;
   const Picked anywhere{surface_->arrays().positions.front(), unreachable};
@@ -313,7 +313,7 @@ std::optional<Picked> RulerTool::pick(const QPoint& at) const {
   return picked;
 }
 
-/// The point of a measurement that is seen where the mouse was pressed.
+/// Finds the point of a measurement that is seen where the mouse was pressed.
 bool RulerTool::find_point() {
   Drag& drag = *drag_;
   const double ratio = area_->devicePixelRatioF();
@@ -433,7 +433,7 @@ void RulerTool::choose(MeasureKind kind) {
   show_clicked();
 }
 
-/// Points that have been clicked belong to the surface of another metric.
+/// Clicked points are dropped, as they belong to the surface of another metric.
 void RulerTool::choose_metric(const RulerMetric& metric) {
   if (metric == metric_) return;
   metric_ = metric;
@@ -449,7 +449,7 @@ void RulerTool::snap_to(SnapTo to) {
   ask();
 }
 
-/// One that was released before its view was painted is asked now.
+/// A drag that was released before its view was painted asks now.
 void RulerTool::end_drag() {
   if (drag_ && drag_->is_released && area_ != nullptr) area_->repaint();
 }
@@ -589,7 +589,7 @@ void RulerTool::say(const std::string& sentence, bool is_logged) {
   if (dock_ != nullptr) dock_->show_status(QString::fromStdString(sentence));
 }
 
-/// Of a path: whether it is the exact one, or something in its place.
+/// Says of a path whether it is the exact one or a preview.
 void RulerTool::show_what_is_shown() {
   if (dock_ == nullptr || !live_ || live_->is_field || live_->values.empty()) return;
   const bool is_refined = live_->how == Answer::index;

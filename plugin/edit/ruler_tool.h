@@ -27,8 +27,7 @@ namespace vorogeo::plugin {
 /// All functions are called from the thread of the window.
 class RulerShared {
  public:
-  /// `keep_layers_with`: surfaces are freed with that document; does nothing once the plugin's object is
-  /// gone.
+  /// `keep_layers_with`: has surfaces freed with a document; does nothing once the plugin's object is gone.
   RulerShared(std::shared_ptr<LayerCache> layers, std::function<void(MeshDocument&)> keep_layers_with)
       : layers_(std::move(layers)), keep_layers_with_(std::move(keep_layers_with)) {}
 
@@ -51,7 +50,7 @@ struct RulerRequest {
   int step = 0;     ///< a number for each press of the mouse button and other step of the user; 0: of none
   bool is_field = false;
   bool is_last = false;     ///< the answer is kept
-  bool adds_point = false;  ///< those that have been clicked have become one more
+  bool adds_point = false;  ///< one more point has been clicked
   MeasureKind kind = MeasureKind::distance;
   std::vector<Picked> points;
   int replaces = 0;  ///< the number of a measurement, or 0
@@ -159,7 +158,7 @@ class RulerTool : public QObject, public EditTool {
   int reading_ = 0;  ///< grows when the layer is read anew
   RulerMetric metric_;
   std::shared_ptr<RulerSurface> surface_;       ///< in that metric
-  QString why_not_;                             ///< without a surface
+  QString why_not_;                             ///< if there is no surface
   std::shared_ptr<Measurements> measurements_;  ///< not null once the tool was started
 
   MeasureKind kind_ = MeasureKind::distance;

@@ -89,8 +89,8 @@ struct Label {
   QString text;   ///< empty: a dot at the place itself
 };
 
-/// Light text on dark ground, beside its place, and dots. Ends and begins again the painter's native
-/// painting.
+/// Light text on dark ground, beside its place, and dots. Ends the painter's native painting and begins it
+/// again.
 void draw_labels(QPainter& painter, const SceneView& view, const std::vector<Label>& labels);
 
 }  // namespace vorogeo::plugin

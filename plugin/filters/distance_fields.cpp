@@ -49,11 +49,11 @@ double max_distance_of(const FilterCall& call) {
   return value == 0.0 ? unreachable : value;
 }
 
-/// The vertices by whether they got a distance, and why not.
+/// How many vertices got a distance, and why the others did not.
 struct Reach {
   int reached = 0;
   int no_path = 0;
-  int beyond = 0;  ///< the max distance
+  int beyond = 0;  ///< farther than the max distance
   double largest = 0.0;
 };
 
@@ -95,7 +95,7 @@ Results about_reach(const FilterCall& call, const Reach& reach, const char* limi
 /// vertices get that of their nearest source as the custom attribute nearest_source, -1 where there is none.
 ///
 /// Returns source_points where there are numbers, otherwise source_vertices (0 for a point in a face);
-/// seconds (of the distances alone); and what about_reach() and about_answer() do.
+/// seconds (of the distances alone); and what about_reach() and about_answer() return.
 Results write_distance_field(FilterCall& call, LayerSurface& layer, const std::vector<ExactSource>& sources,
                              Answer method, const std::vector<Index>& numbers = {}) {
   const double limit = max_distance_of(call);
@@ -343,8 +343,8 @@ RichParameterList directions_parameters(const MeshDocument& document) {
                "beyond the radius stay free of the picture."));
 }
 
-/// By how much the lengths of edges in the plane of a map differ from those on the surface, relative to them:
-/// in the mean over all lengths, and at most. Edges with an end that has no distance do not count.
+/// The relative difference between the lengths of edges in the plane of a map and on the surface: the mean,
+/// weighted by length, and the largest. Edges with an end that has no distance do not count.
 struct Distortion {
   double mean = 0.0;
   double largest = 0.0;

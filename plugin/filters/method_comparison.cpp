@@ -74,7 +74,7 @@ struct FieldTask {
   std::string activity;
 };
 
-/// From the index, which is built if there is none, or exact.
+/// The field of the index, which is built if there is none, or the exact one.
 MethodField surface_field(const FieldTask& task, Answer by) {
   FilterCall call = task.call;
   call.progress = task.progress;
@@ -122,8 +122,8 @@ struct ComparedMethod {
   std::function<MethodField(const FieldTask&)> field;
 };
 
-/// In the order of the choices in the dialog; scripts hold their numbers. First five that are the product's
-/// or MeshLab's own, then the methods of core/methods that are none of these in other words.
+/// In the order of the choices in the dialog; scripts hold their numbers. The first five are VoroGeo's or
+/// MeshLab's own; then come the methods of core/methods, except those that are one of the five.
 const std::vector<ComparedMethod>& compared_methods() {
   using Task = const FieldTask&;
   static const std::vector<ComparedMethod> methods = [] {

@@ -108,7 +108,7 @@ Results add_path_layer(FilterCall& call, const char* name, const Mesh& mesh, con
           {"gap_length", gap_length}};
 }
 
-/// The same for the answer of a task about points, and what the filter returns.
+/// The same for the answer of a task about points. \return all that the filter returns.
 Results add_path_layer(FilterCall& call, const char* name, LayerSurface& layer, const TaskPoints& points,
                        AnswerOfLayer<ExactPath> answer) {
   Results results = add_path_layer(call, name, *layer.mesh(), answer.found);
@@ -313,7 +313,7 @@ Results draw_girth(FilterCall& call) {
   };
   add("Girth: tape", lines_through(tape), false);
   if (limb.loop.points.size() > 1) add("Girth: loop", lines_of(*mesh, limb.loop), false);
-  // In space, whatever the metric, as the tape.
+  // In space like the tape, whatever the metric.
   add("Girth: section", lines_through(positions_of(*mesh, limb.section.points)), true);
   call.log("Girth: section " + logged_length(limb.section.length) + ", tape " +
            logged_length(limb.tape_length) + ", loop " + logged_length(limb.loop.length));

@@ -192,7 +192,7 @@ std::vector<double> values_of(const FilterCall& call, double low, double high) {
   return values;
 }
 
-/// The quality of the vertices as a field, and the values wanted of it.
+/// The quality of the vertices as a field, and the values on whose lines it is cut or drawn.
 struct QualityLevels {
   std::vector<double> field;
   std::vector<double> values;
@@ -255,7 +255,7 @@ Results cut_along_isolines(FilterCall& call) {
   const CutMesh cut = run_ticking(call.progress, "Cutting along isolines", [&](const Progress& progress) {
     return cut_at_levels(*mesh, levels.field, values, levels.interpolation, progress);
   });
-  // By region; those without a distance come last.
+  // Faces by region; those without a distance come last.
   const auto region_without = static_cast<Index>(values.size()) + 1;
   std::vector<std::vector<Index>> faces(values.size() + 2);
   for (Index f = 0; f < static_cast<Index>(cut.faces.size()); ++f) {
@@ -285,7 +285,7 @@ Results cut_along_curve(FilterCall& call) {
   };
   auto [cut, answered, results] =
       ask_task_by(Answer::automatic, call, *layer, "Cutting along the curve", cut_by);
-  // Those that the curve does not touch are left out.
+  // Parts that the curve does not touch are left out.
   std::map<Index, std::vector<Index>> faces_of;
   for (std::size_t f = 0; f < cut.faces.size(); ++f) {
     if (cut.side[f] != 0) faces_of[cut.region[f]];
@@ -466,7 +466,7 @@ Results draw_polygon(FilterCall& call) {
                   is_hull ? convex_hull : geodesic_polygon, corners.points);
   SurfacePath border;
   for (const ExactPath& leg : polygon.legs) {
-    // Each begins where the one before it ends.
+    // Each leg begins where the one before it ends.
     const auto begin = leg.path.points.begin() + (border.points.empty() ? 0 : 1);
     border.points.insert(border.points.end(), begin, leg.path.points.end());
   }

@@ -10,11 +10,11 @@ namespace vorogeo::plugin {
 
 // ---- Paragraphs of help text that several filters share, in the HTML subset that the host shows
 
-/// What the index is, and that it follows the mesh.
+/// When an index is built, and that it is reused until the mesh is edited.
 QString help_on_index();
 /// How to choose parameters of a distance field from the index.
 QString help_on_choosing();
-/// Where a task takes its points from; and its parameter exact, and the index that it has otherwise.
+/// Where a task takes its points from; and its parameter exact, and the index that it uses otherwise.
 QString help_on_task_points();
 QString help_on_exact_parameter();
 /// The papers on the method of the index, and on exact distances.

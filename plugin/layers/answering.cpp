@@ -81,7 +81,7 @@ namespace {
 /// By Answer.
 constexpr const char* answered_by[] = {"", "the index", "exact propagation", "merged windows (quick)"};
 
-/// Of an answer whose solvers are kept.
+/// Solvers are kept after answers that reach at most so many vertices.
 constexpr Index max_vertices_kept = 1000000;
 
 }  // namespace

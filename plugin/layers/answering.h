@@ -32,9 +32,9 @@ void log_warnings(FilterCall& call, LayerSurface& layer);
 void log_statistics(const FilterCall& call, const IndexStatistics& statistics);
 Results statistics_results(const IndexStatistics& statistics);
 
-/// Builds an index, from which the layer is answered from then on; logs what it holds and anything odd about
-/// the mesh. `file`: where it is built, or goes on if it was stopped there (GeodesicIndex::build_in_file);
-/// empty: in memory.
+/// Builds an index, which answers questions about the layer from then on; logs what it holds and anything odd
+/// about the mesh. `file`: where it is built, or where a build that was stopped goes on
+/// (GeodesicIndex::build_in_file); empty: in memory.
 std::shared_ptr<const GeodesicIndex> build_index(FilterCall& call, LayerSurface& layer,
                                                  const IndexOptions& options, const Progress& progress,
                                                  const std::filesystem::path& file = {});
@@ -54,16 +54,16 @@ struct AnswerOfLayer {
   Results about;
 };
 
-/// Frees what an exact or quick answer has left in solvers where that is gigabytes, which are soon made anew
-/// compared with such an answer. `vertices`: those that a field has reached, or the mesh of a path has.
+/// Frees the solvers of an exact or quick answer where they take gigabytes; to make them anew takes little
+/// time beside such an answer. `vertices`: how many a field has reached, or the mesh of a path has.
 void rest_if_large(LayerSurface& layer, const Answered& answered, Index vertices);
 
 /// Logs what answered.
 Results about_answer(FilterCall& call, LayerSurface& layer, bool had_index, const Answered& answered);
 
-/// The answer of ask(surface, answered, progress) about the ways from points, or to them as the parameter to
-/// says, which runs while the window stays responsive. Logs what a
-/// user should know about the mesh before, unless it has an index, and what answered after it.
+/// The answer of ask(surface, answered, progress), which runs while the window stays responsive; on the
+/// reversed surface if the parameter `to` asks for paths to the points. Logs what a user should know about
+/// the mesh first, unless it has an index, and at the end what answered.
 template <class Ask>
 auto ask_surface(FilterCall& call, LayerSurface& layer, const std::string& activity, Ask&& ask) {
   const bool had_index = layer.index() != nullptr;
@@ -81,8 +81,8 @@ auto ask_surface(FilterCall& call, LayerSurface& layer, const std::string& activ
   return AnswerOfLayer<decltype(found)>{std::move(found), std::move(answered), std::move(about)};
 }
 
-/// The same for a task of the core: the answer of task(surface, arguments..., options). As the parameter
-/// exact says: by what is fastest, or by exact propagation.
+/// The same for a task of the core: the answer of task(surface, arguments..., options). The parameter exact
+/// decides: by what is fastest, or by exact propagation.
 template <class Task, class... Arguments>
 auto ask_task(FilterCall& call, LayerSurface& layer, const char* activity, Task&& task,
               const Arguments&... arguments) {
@@ -93,7 +93,7 @@ auto ask_task(FilterCall& call, LayerSurface& layer, const char* activity, Task&
                      });
 }
 
-/// By what the caller names. Large solvers are freed, and seconds are returned, too.
+/// The same by the method that the caller names. Large solvers are freed, and seconds are returned, too.
 template <class Task, class... Arguments>
 auto ask_task_by(Answer by, FilterCall& call, LayerSurface& layer, const char* activity, Task&& task,
                  const Arguments&... arguments) {

@@ -39,9 +39,9 @@ CurveSources sources_of_layer(const FilterCall& call, LayerSurface& layer, const
 RichParameterList curve_layer_parameters(const MeshDocument& document, const char* help);
 /// The parameters curve_layer and max_snap_distance.
 RichParameterList curve_parameters(const MeshDocument& document);
-/// Whether that layer is the current one.
+/// Whether curve_layer is the current layer.
 bool curve_is_selected(const FilterCall& call);
-/// Explains them, for the help.
+/// Explains these parameters, for the help.
 QString help_on_curve();
 
 /// The lines of curve_layer, which is not the current one, as the ends of their legs. They may branch and be

@@ -75,7 +75,7 @@ double checked_cost(const FilterCall& call, const char* element, Index number, S
              (of_vertex ? "Vertex" : "Face") + " Scalar Function'.");
 }
 
-/// The costs of the elements that are not deleted; `quality_of` has that of a number.
+/// The costs of the elements that are not deleted; quality_of(i): the quality of element i.
 template <class Elements, class Quality>
 std::vector<double> costs_of(const FilterCall& call, const char* element, const Elements& elements,
                              Quality&& quality_of) {
@@ -116,7 +116,7 @@ std::vector<double> cost_of_vertices(const FilterCall& call) {
 
 constexpr const char* advice_from_0 = ". Give a number of at least 0.";
 
-/// 0, any grade, in scripts that were written without it.
+/// 0, any grade, in scripts without this parameter.
 double steepest_grade(const FilterCall& call) {
   if (!call.parameters.hasParameter("steepest_grade")) return 0.0;
   return real_of(call, "steepest_grade", Values::from_0, ". Give a number above 0, or 0 for any grade.");
@@ -129,7 +129,7 @@ std::vector<Point> wind_of(const FilterCall& call, const Placement& placement) {
   using Allocator = vcg::tri::Allocator<CMeshO>;
   CMeshO::PerFaceAttributeHandle<Point3m> of_faces;
   CMeshO::PerVertexAttributeHandle<Point3m> of_vertices;
-  if (!name.empty()) {  // which the host takes for a mistake of the program
+  if (!name.empty()) {  // the host takes an empty name for a mistake of the program
     of_faces = Allocator::FindPerFaceAttribute<Point3m>(layer, name);
     of_vertices = Allocator::FindPerVertexAttribute<Point3m>(layer, name);
   }
@@ -161,7 +161,7 @@ GapLimit gap_of(const FilterCall& call) {
           call.parameters.hasParameter("bridge_folds") && call.parameters.getBool("bridge_folds")};
 }
 
-/// Length in scripts that were written without a metric.
+/// Length in scripts without this parameter.
 LayerMetric metric_of(const FilterCall& call) {
   if (!call.parameters.hasParameter("metric")) return LayerMetric::length;
   const int number = call.parameters.getEnum("metric");
@@ -313,7 +313,7 @@ QString help_on_metric() {
 }
 
 LayerMeasure measure_of(const FilterCall& call) {
-  require_faces(call.layer.cm);  // which matters more than what its costs are
+  require_faces(call.layer.cm);  // first, as costs do not matter without faces
   LayerMeasure measure;
   measure.placement = placement_of(call.layer);
   measure.gap = gap_of(call);

@@ -10,15 +10,15 @@
 
 namespace vorogeo::plugin {
 
-// The parameters metric and those of each metric; those by which every filter bridges gaps, gap and
-// bridge_folds; and of filters that measure from points, to: whether by the ways to them.
+// The parameter metric and those of each metric; gap and bridge_folds, by which every filter bridges gaps;
+// and for filters that measure from points the parameter to: whether paths lead to the points instead.
 RichParameterList metric_parameters();
 RichBool direction_parameter();
 bool asks_for_ways_to(const FilterCall& call);
 QString help_on_metric();
 RichParameterList gap_parameters(const MeshDocument& document);
 
-/// What the parameters of a filter choose for its layer. \throw InvalidInput if that has no vertices or
+/// What the parameters of a filter choose for its layer. \throw InvalidInput if the layer has no vertices or
 /// faces, no quality, or one that is no cost (names the vertex or face by its number in the host), or another
 /// parameter is out of range.
 LayerMeasure measure_of(const FilterCall& call);

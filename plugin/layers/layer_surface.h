@@ -25,10 +25,10 @@ namespace vorogeo::plugin {
 
 /// What a path costs; the values of the parameter metric.
 enum class LayerMetric { length, vertex_quality, slope, curvature, face_quality, hiking, climbing, wind };
-/// As dialogs and tables say it; the ruler has those by which both ways cost the same.
+/// Names in dialogs and tables; the ruler has the metrics in which both ways cost the same.
 inline constexpr std::array<const char*, 5> ruler_metrics{"Length", "Vertex quality as cost", "Slope penalty",
                                                           "Along curvature", "Face quality as cost"};
-/// The metrics that go one way, after these.
+/// The one-way metrics, after these.
 inline constexpr std::array<const char*, 3> one_way_metrics{"Hiking time", "Uphill and downhill cost",
                                                             "Wind"};
 /// slope_penalty and curvature_weight by default; 0 in other metrics of the ruler.
@@ -56,11 +56,10 @@ struct HostPlace {
 };
 
 /// A layer of the host as it stood in the scene when it was read. A core vertex is a vertex that is not
-/// deleted. Nothing of it changes but what is made when it is first asked for; may be used by several
-/// threads.
+/// deleted. It never changes, but parts of it are made when first asked for; may be used by several threads.
 class LayerSurface {
  public:
-  /// `arrays`: with the sides that the metric gives the faces. `remarks`: what reading the metric has to say.
+  /// `arrays`: with the sides that the metric gives the faces. `remarks`: sentences for the log.
   explicit LayerSurface(VcgMeshArrays arrays, LayerMeasure measure = {},
                         std::vector<std::string> remarks = {});
 
@@ -104,7 +103,7 @@ class LayerSurface {
   std::shared_ptr<const GeodesicIndex> index() const;
   /// An index of mesh() that was built or loaded elsewhere: from now on answers come from it.
   void use(std::shared_ptr<const GeodesicIndex> index);
-  /// Frees what queries hold between two questions; what is made from the mesh alone stays.
+  /// Frees the memory that queries hold between two questions; what is made from the mesh alone stays.
   void rest();
   /// Of the arrays, the mesh and the index.
   std::int64_t memory_bytes() const;
@@ -116,9 +115,9 @@ class LayerSurface {
   const LayerMeasure measure_;
   const std::vector<std::string> remarks_;
   std::mutex making_;         ///< held while something is made
-  mutable std::mutex mutex_;  ///< of the pointers, held for moments
+  mutable std::mutex mutex_;  ///< for the pointers, held for moments
   std::shared_ptr<Surface> surface_;
-  std::shared_ptr<const SurfaceLocator> locator_;     ///< by making_
+  std::shared_ptr<const SurfaceLocator> locator_;     ///< guarded by making_
   std::optional<std::vector<std::string>> warnings_;  ///< likewise; written once
 };
 
@@ -152,7 +151,7 @@ class LayerCache {
     std::shared_ptr<LayerSurface> surface;
     std::set<const void*> documents;
   };
-  /// With an index, and without one.
+  /// For surfaces with an index, and for those without one.
   static constexpr std::size_t capacity = 4;
 
   std::shared_ptr<LayerSurface> find_if(const std::function<bool(const LayerSurface&)>& fits,

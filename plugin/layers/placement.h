@@ -18,9 +18,9 @@ class Placement {
   Placement(const std::array<std::array<double, 4>, 4>& matrix, const std::string& layer);
 
   bool is_identity() const { return is_identity_; }
-  /// Whether left and right change places, so that faces that led outwards lead inwards.
+  /// Whether left and right change places, so that normals that pointed outwards point inwards.
   bool is_mirrored() const { return is_mirrored_; }
-  /// In the scene, to the last bit where the host's "Freeze Current Matrix" moves it in double precision.
+  /// The point in the scene, to the last bit as by the host's "Freeze Current Matrix" in double precision.
   Point to_scene(const Point& at) const { return is_identity_ ? at : times(to_scene_, at); }
   Point to_layer(const Point& at) const { return is_identity_ ? at : times(to_layer_, at); }
 
@@ -38,7 +38,7 @@ class Placement {
 
   bool is_identity_ = true;
   bool is_mirrored_ = false;
-  Rows to_scene_{};  ///< of the identity nothing
+  Rows to_scene_{};  ///< unused for the identity
   Rows to_layer_{};
 };
 

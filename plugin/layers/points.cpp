@@ -38,7 +38,7 @@ Box3m scene_box(const MeshModel& layer) {
       box.Add(Point3m(static_cast<Scalarm>(at[0]), static_cast<Scalarm>(at[1]), static_cast<Scalarm>(at[2])));
     }
     return box;
-  } catch (const InvalidInput&) {  // of a layer that is refused when it is measured
+  } catch (const InvalidInput&) {  // the matrix is refused once the layer is measured
     return layer.cm.bbox;
   }
 }
@@ -146,8 +146,8 @@ SnappedPoint nearest_vertex(const VcgMeshArrays& arrays, const Point& point) {
   return nearest;
 }
 
-/// The corner of the point's face that the host has, if the point equals it up to the precision in which the
-/// host passes points on.
+/// The corner that a point equals in the precision in which the host passes points on, of those that the host
+/// has; the point itself if there is none.
 SurfacePoint at_corner(const Mesh& mesh, const SurfacePoint& point) {
   if (point.is_vertex()) return point;
   constexpr double precision = 1e-6;

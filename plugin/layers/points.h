@@ -23,7 +23,7 @@ namespace vorogeo::plugin {
 /// \throw InvalidInput as Placement; the message names the layer.
 Placement placement_of(const MeshModel& layer);
 
-/// Around the layer as it stands in the scene.
+/// The bounding box of the layer as it stands in the scene.
 Box3m scene_box(const MeshModel& layer);
 
 // ---- Parameters that several filters have, and how errors name a parameter
@@ -51,9 +51,9 @@ enum class Values : std::uint8_t { all, from_0, above_0 };
 /// \throw InvalidInput, which ends with `advice`, for a `value` that the parameter may not have.
 double checked_value(const FilterCall& call, const char* parameter, double value, Values allowed,
                      const std::string& advice);
-/// The value of a length. \throw InvalidInput if it may not be so.
+/// The value of a length. \throw InvalidInput if it is not allowed.
 double length_of(const FilterCall& call, const char* parameter, bool may_be_zero);
-/// The value of a number. \throw InvalidInput, which ends with `advice`, if it may not be so.
+/// The value of a number. \throw InvalidInput, which ends with `advice`, if it is not allowed.
 double real_of(const FilterCall& call, const char* parameter, Values allowed, const char* advice);
 /// The value of a whole number. \throw InvalidInput, which ends with `advice`, if it is out of range.
 int number_of(const FilterCall& call, const char* parameter, int least, const char* advice,
@@ -92,7 +92,7 @@ RichParameterList start_parameters(const MeshDocument& document, const QString& 
 /// point that is not finite.
 SnappedPoint start_point(const FilterCall& call, LayerSurface& layer);
 
-/// The same, but in place of a point in a face the nearest vertex that has a face: no path reaches others.
+/// The same, but always a vertex: the nearest one that has a face, as no path reaches others.
 SnappedPoint start_vertex(const FilterCall& call, LayerSurface& layer);
 
 /// Where a start point is, as returned values: start_vertex and start_face, one of which is -1, and
@@ -151,7 +151,7 @@ RichMesh source_layer_parameter(const MeshDocument& document, const char* what);
 /// The layer named by a parameter. \throw InvalidInput if there is none, or if it is the current one.
 const MeshModel& other_layer(const FilterCall& call, const char* parameter, const char* what);
 
-/// The positions of all its vertices in the scene, by number. \throw InvalidInput as placement_of().
+/// The positions of all vertices of a layer in the scene, by number. \throw InvalidInput as placement_of().
 std::vector<Point> scene_positions(const MeshModel& layer);
 
 /// Moves points of the scene to the surface of the layer, within max_snap_distance.

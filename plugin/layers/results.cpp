@@ -101,7 +101,7 @@ constexpr int attributes_of_parts = MeshModel::MM_VERTCOLOR | MeshModel::MM_VERT
 
 using CornerWeights = std::array<double, 3>;
 
-/// Between the corners of a face, of which corner(i) has these; in the texture of the nearest one.
+/// Texture coordinates between those of the corners, corner(i); the texture is that of the nearest corner.
 template <class Corner>
 vcg::TexCoord2<float> tex_coord_between(const CornerWeights& weights, Corner&& corner) {
   double u = 0.0, v = 0.0;
@@ -114,7 +114,7 @@ vcg::TexCoord2<float> tex_coord_between(const CornerWeights& weights, Corner&& c
   return between;
 }
 
-/// What varies over a face, at a place in it.
+/// Gives a vertex what varies over a face, as it is at a place in the face.
 void interpolate(CVertexO& vertex, const CFaceO& face, const CornerWeights& weights, bool has_tex_coord) {
   double quality = 0.0;
   Point3m normal(0, 0, 0);
@@ -128,7 +128,7 @@ void interpolate(CVertexO& vertex, const CFaceO& face, const CornerWeights& weig
   }
   vertex.Q() = static_cast<Scalarm>(quality);
   vertex.N() = normal.Normalize();
-  // Rounded, which VCG's mixture is not: one colour stays as it is.
+  // Rounded, unlike VCG's mixture, so that a face of one colour keeps it.
   for (int k = 0; k < 4; ++k) vertex.C()[k] = static_cast<unsigned char>(std::lround(color[k]));
   if (has_tex_coord) vertex.T() = tex_coord_between(weights, [&](int i) { return face.cV(i)->cT(); });
 }

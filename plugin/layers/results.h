@@ -38,7 +38,7 @@ void write_distances(MeshModel& layer, std::span<const Index> host_vertices,
 // layer, given in the scene. They have the matrix of the layer on which they lie.
 
 /// Adds a layer with vertices and edges on another one, and with `quality` (a value for each vertex, or
-/// none); none without a vertex. `make_current`: as the host does for filters that generate. \throw
+/// none). Without vertices, adds no layer. `make_current`: as the host does for filters that generate. \throw
 /// InvalidInput as placement_of().
 void add_polyline_layer(MeshDocument& document, const MeshModel& on, const QString& name,
                         const SurfaceLines& lines, std::span<const double> quality, bool make_current);
