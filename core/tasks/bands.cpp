@@ -95,8 +95,7 @@ class BandSum {
   double crossing_between(const Corner& a, const Corner& b) const {
     return crossing(a.distance, b.distance, distance_between(a, b), width_, Interpolation::distance);
   }
-  /// Where the border crosses a side: as in the plane, then once more from there to the end across the
-  /// border.
+  /// Where the border crosses a side: as in the plane, then again from there to the end across the border.
   Corner on_side(const Corner& a, const Corner& b, double& fraction) const {
     const double first = crossing_between(a, b);
     const Corner there = between(a, b, first);

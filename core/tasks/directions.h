@@ -51,9 +51,9 @@ std::vector<Tangent> transport(Surface& surface, const PointList& path, const st
 std::vector<Tangent> transport_from(Surface& surface, const SurfacePoint& point, const Tangent& vector,
                                     double max_distance, const TaskOptions& options);
 
-/// The ends of straightest lines from points along vectors in the frames there, on all threads: of pairs, or
-/// of one point and each of the vectors. \throw as log_map(), for vectors that are not finite and for
-/// lists of different lengths; Cancelled. Complexity: O(faces crossed).
+/// The ends of straightest lines from points along vectors in the frames there, on all threads: a line for
+/// each pair, or from one point along each vector. \throw as log_map(), for vectors that are not finite and
+/// for lists of different lengths; Cancelled. Complexity: O(faces crossed).
 std::vector<TracedEnd> exp_map(Surface& surface, const PointList& points, const std::vector<Tangent>& vectors,
                                AtBorder at_border, const TaskOptions& options);
 

@@ -15,7 +15,7 @@ enum class MatrixMethod {
   fields      ///< a field from each point of the shorter list
 };
 
-// In double precision, or rounded to float.
+// Entries are double, or rounded to float.
 
 /// Distances between all rows and columns, row by row: matrix[i * columns.size() + j]; `unreachable` where no
 /// path leads. Rows or columns may be empty. \throw InvalidInput for a point that is not on the mesh or a

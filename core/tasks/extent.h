@@ -54,8 +54,8 @@ struct Extent {
 /// out of range or fewer than 2 fields, Cancelled.
 Extent extent_of_component(Surface& surface, Index start, Index max_fields, const TaskOptions& options = {});
 
-/// With vertices and faces as they were given. \throw InvalidInput for no source, one that is not on the
-/// mesh, or a radius that is negative or NaN.
+/// The vertices and faces within a radius of the sources, by their numbers as given. \throw InvalidInput for
+/// no source, one that is not on the mesh, or a radius that is negative or NaN.
 Disk geodesic_disk(Surface& surface, const PointList& sources, double radius,
                    const TaskOptions& options = {});
 

@@ -230,10 +230,9 @@ ExactPath tighten(Surface& surface, const PointList& curve, bool closed, const T
 
 namespace {
 
-/// The edges across which loops from a point are closed that cannot be contracted. A tree of vertices grows
-/// from the point in order of distance. Faces are joined across the edges outside the tree, and to the hole
-/// at each border; where a face has only one such edge left, a loop across it contracts, and the edge is
-/// removed.
+/// The edges across which loops close that lead from a point and cannot be contracted. A tree of vertices
+/// grows from the point in order of distance. Faces are joined across the edges outside the tree, and to the
+/// hole at each border; where a face has one such edge left, a loop across it contracts: it is removed.
 class LoopClasses {
  public:
   LoopClasses(const Mesh& mesh, const SurfacePoint& point, std::span<const double> distance)

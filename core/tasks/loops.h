@@ -10,8 +10,7 @@
 
 namespace vorogeo {
 
-/// At most so many rounds pull a loop tight. In a slight neck of a smooth surface, each shortens it by
-/// little.
+/// At most so many rounds pull a loop tight. In a slight neck of a smooth surface, each gains little.
 inline constexpr int max_loop_rounds = 5000;
 
 /// A closed curve pulled tight.
@@ -41,12 +40,12 @@ SurfacePoint point_of_loop(const Mesh& mesh, const SurfacePoint& given);
 ExactPath tighten(Surface& surface, const PointList& curve, bool closed = true,
                   const TaskOptions& options = {});
 
-/// The shortest loop through a point that cannot be contracted to it. The edges across the cut locus of the
-/// point, once its open ends are pruned, fall into classes; for each class, one loop across an edge is pulled
-/// tight with the point held (Erickson, Har-Peled 2004, with exact distances). With a `curve`: the shortest
-/// path from the point to the curve, once round it and back, pulled tight with the point held. \throw
-/// InvalidInput as tighten(); where every loop through the point contracts; for a vertex without a
-/// face and an edge of three; Cancelled. Complexity: a field, and O(n log n).
+/// The shortest loop through a point that cannot be contracted to it. The edges of the point's cut locus that
+/// remain when its ends are pruned fall into classes; for each class, one loop across it is pulled tight with
+/// the point held (Erickson, Har-Peled 2004, with exact distances). With a `curve`: the loop from the point
+/// by the shortest path to the curve, round it and back is pulled tight instead. \throw InvalidInput as
+/// tighten(); where every loop through the point contracts; for a vertex without a face and an edge of three;
+/// Cancelled. Complexity: a field, and O(n log n).
 ExactPath shortest_loop(Surface& surface, const SurfacePoint& point, const PointList& curve,
                         const TaskOptions& options = {});
 

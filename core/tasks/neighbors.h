@@ -10,11 +10,11 @@ namespace vorogeo {
 /// Bytes that `entries` entries take while the matrix is assembled.
 double sparse_bytes(double entries);
 
-/// All pairs of different list entries of `points` at most `radius` apart; symmetric to the last bit: the
-/// value of a pair is read from the field of its smaller point (SurfacePoint::<=>). In a one-way metric,
-/// distances are those from the row to the column. `max_bytes`: see require_memory; checked while the pairs
-/// are found. \throw InvalidInput for a point that is not on the mesh, a radius that is negative or NaN,
-/// NotEnoughMemory, Cancelled. Complexity: one field bounded by the radius for each point.
+/// All pairs of different list entries of `points` at most `radius` apart. The value of a pair is read from
+/// the field of its smaller point (SurfacePoint::<=>), so the matrix is symmetric to the last bit; but in a
+/// one-way metric, distances are those from the row to the column. `max_bytes`: see require_memory; checked
+/// while the pairs are found. \throw InvalidInput for a point that is not on the mesh, a radius that is
+/// negative or NaN, NotEnoughMemory, Cancelled. Complexity: one field bounded by the radius for each point.
 SparseDistances pairs_within(Surface& surface, const PointList& points, double radius,
                              std::int64_t max_bytes = 0, const TaskOptions& options = {});
 

@@ -29,7 +29,7 @@ class Background {
   Background(const Background&) = delete;
   Background& operator=(const Background&) = delete;
 
-  /// Drops waiting work that is not kept, and lets this wait. `is_kept`: it will be done, before later work.
+  /// Drops waiting work that is not kept, and queues this. `is_kept`: it will be done, before later work.
   void post(Work work, bool is_kept = false);
   /// Drops all waiting work and cancels the running one.
   void clear();

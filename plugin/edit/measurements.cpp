@@ -51,7 +51,7 @@ std::size_t position_in(const std::array<const char*, Count>& names, const std::
   return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
 }
 
-/// Of a mesh and, where quality is the cost, of the lengths that it gives the sides.
+/// The fingerprint of a mesh and, where quality is the cost, of the side lengths that it gives.
 Fingerprint fingerprint_in(const RulerMetric& metric, const VcgMeshArrays& mesh) {
   Fingerprint found = fingerprint_of(mesh.positions, mesh.faces);
   if (metric.is_of_quality()) {
@@ -329,7 +329,7 @@ class Words {
     for (double& coordinate : found) coordinate = real();
     return found;
   }
-  /// Whether that was all, and good.
+  /// Whether all words have been read and are good.
   bool is_at_end() { return is_good_ && (stream_ >> std::ws).eof(); }
 
  private:

@@ -126,7 +126,7 @@ class Measurements {
   /// Grows with every change.
   int revision() const { return revision_; }
 
-  /// Gives it the next number, and a name from it if it has none. `mesh`: on which it was taken.
+  /// Adds it under the next number, and names it by that if it has no name. `mesh`: on which it was taken.
   const Measurement& add(Measurement measurement, const VcgMeshArrays& mesh);
   /// The same measured again: number, name and whether it is hidden stay. If it was imported and only gets
   /// its lines, undo() skips that. \return null if it is gone.

@@ -214,7 +214,7 @@ std::shared_ptr<RulerSurface> RulerTool::surface_in(const RulerMetric& metric) {
   }
 }
 
-/// The current layer as it is now. If it is not the one that was read last, nothing of that is used any more.
+/// The current layer as it is now. If it is not the one read last, nothing made from that is used any more.
 void RulerTool::read_layer() {
   const MeshModel* layer = document_ == nullptr ? nullptr : document_->mm();
   std::shared_ptr<RulerSurface> now;

@@ -192,7 +192,7 @@ std::vector<double> values_of(const FilterCall& call, double low, double high) {
   return values;
 }
 
-/// The quality of the vertices as a field, and the values on whose lines it is cut or drawn.
+/// The quality of the vertices as a field, and the values at which lines run.
 struct QualityLevels {
   std::vector<double> field;
   std::vector<double> values;
@@ -352,7 +352,7 @@ Results select_disk(FilterCall& call) {
   return results;
 }
 
-/// Logs and returns what lies `within`.
+/// Logs and returns the area and the border of a band; `within`: of what, for the log.
 Results about_band(const FilterCall& call, const std::string& within, const Band& found) {
   std::ostringstream text;
   text << "Within " << within << " lies an area of " << std::setprecision(7) << found.area

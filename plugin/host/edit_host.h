@@ -13,7 +13,7 @@ namespace vorogeo::plugin {
 /// it as a widget only. \return null if it is none of the program's widgets.
 QWidget* widget_of(const GLArea* area);
 
-/// Lets all views show the colours of the vertices of a layer, which have changed.
+/// Passes on that the colours of a layer's vertices have changed, and makes the view `area` show them.
 void show_vertex_colors(MLSceneGLSharedDataContext& context, QWidget* area, int layer);
 
 }  // namespace vorogeo::plugin

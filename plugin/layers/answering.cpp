@@ -78,7 +78,7 @@ std::shared_ptr<const GeodesicIndex> build_index(FilterCall& call, LayerSurface&
 
 namespace {
 
-/// By Answer.
+/// Indexed by Answer.
 constexpr const char* answered_by[] = {"", "the index", "exact propagation", "merged windows (quick)"};
 
 /// Solvers are kept after answers that reach at most so many vertices.

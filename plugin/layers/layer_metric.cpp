@@ -122,7 +122,8 @@ double steepest_grade(const FilterCall& call) {
   return real_of(call, "steepest_grade", Values::from_0, ". Give a number above 0, or 0 for any grade.");
 }
 
-/// The wind of each face by a custom attribute of the faces, or of their corners in the mean, in the scene.
+/// The wind in each face, in the scene: a custom attribute of the faces, or the mean of that of their
+/// corners.
 std::vector<Point> wind_of(const FilterCall& call, const Placement& placement) {
   CMeshO& layer = call.layer.cm;
   const std::string name = call.parameters.getString("wind_attribute").toStdString();
@@ -154,7 +155,7 @@ std::vector<Point> wind_of(const FilterCall& call, const Placement& placement) {
 /// These parameters are shown on request only: most questions are about lengths on the mesh as it is.
 constexpr bool advanced = true;
 
-/// No gap where a list does not have these parameters, as one from an older filter script.
+/// No gap if the list lacks these parameters, as one from an older filter script does.
 GapLimit gap_of(const FilterCall& call) {
   if (!call.parameters.hasParameter("gap")) return {};
   return {length_of(call, "gap", true),

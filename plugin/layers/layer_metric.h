@@ -11,7 +11,7 @@
 namespace vorogeo::plugin {
 
 // The parameter metric and those of each metric; gap and bridge_folds, by which every filter bridges gaps;
-// and for filters that measure from points the parameter to: whether paths lead to the points instead.
+// and for filters that measure from points the parameter `to`: whether paths lead to the points instead.
 RichParameterList metric_parameters();
 RichBool direction_parameter();
 bool asks_for_ways_to(const FilterCall& call);
