@@ -83,13 +83,13 @@ void FaceDivision::split(Index side, Index other) {
 // ---- Points inside
 
 /// \return whether no side of the part, except on the outline, has the place to its right. If one has,
-/// `way_out` is that side.
-bool FaceDivision::is_in_part(Index part, const Place& place, Index* way_out) const {
+/// `exit_side` is that side.
+bool FaceDivision::is_in_part(Index part, const Place& place, Index* exit_side) const {
   Index side = part;
   do {
     const bool is_right = side_of(points_[sides_[side].from].place, points_[head(side)].place, place) < 0.0;
     if (is_right && sides_[side].beside != no_index) {
-      *way_out = side;
+      *exit_side = side;
       return false;
     }
     side = sides_[side].next;
@@ -99,14 +99,14 @@ bool FaceDivision::is_in_part(Index part, const Place& place, Index* way_out) co
 
 /// A side of the part that a place lies in.
 Index FaceDivision::part_with(const Place& place) {
-  Index way_out = no_index;
+  Index exit_side = no_index;
   for (std::size_t steps = 0; steps < sides_.size(); ++steps) {
-    if (is_in_part(last_, place, &way_out)) return last_;
-    last_ = sides_[way_out].beside;
+    if (is_in_part(last_, place, &exit_side)) return last_;
+    last_ = sides_[exit_side].beside;
   }
   // Rounding has led in a circle.
   for (Index side = 0; side < static_cast<Index>(sides_.size()); ++side) {
-    if (is_in_part(side, place, &way_out)) return side;
+    if (is_in_part(side, place, &exit_side)) return side;
   }
   return last_;
 }
@@ -215,8 +215,8 @@ Index FaceDivision::cross_part(Index side, Index end) {
   const Index from = sides_[side].from;
   // Sides at the points visited last: going forwards, points right of the line; backwards, left of it.
   Index front = sides_[side].next, back = sides_[side].previous;
-  Index way_out = no_index;
-  while (way_out == no_index) {
+  Index exit_side = no_index;
+  while (exit_side == no_index) {
     for (const Index ahead : {front, back}) {
       if (sides_[ahead].from != end) continue;
       split(side, ahead);
@@ -229,32 +229,32 @@ Index FaceDivision::cross_part(Index side, Index end) {
     const double at_after = side_of(from, end, sides_[after].from);
     const double at_before = side_of(from, end, sides_[before].from);
     if (at_front < 0.0 && at_after >= 0.0) {
-      way_out = front;
+      exit_side = front;
     } else if (at_back > 0.0 && at_before <= 0.0) {
-      way_out = before;
+      exit_side = before;
     } else {
       front = after;
       if (front != back) back = before;
     }
   }
   // Out through an end of the side, or between its ends.
-  const Index following = sides_[way_out].next;
-  const Index u = sides_[way_out].from, v = sides_[following].from;
+  const Index following = sides_[exit_side].next;
+  const Index u = sides_[exit_side].from, v = sides_[following].from;
   const double at_u = side_of(from, end, u), at_v = side_of(from, end, v);
   const bool through_v = v == end || (at_v == 0.0 && v != from && following != sides_[side].previous);
-  const bool through_u = u == end || (at_u == 0.0 && u != from && way_out != sides_[side].next);
+  const bool through_u = u == end || (at_u == 0.0 && u != from && exit_side != sides_[side].next);
   if (through_v || through_u) {
-    split(side, through_v ? following : way_out);
+    split(side, through_v ? following : exit_side);
     return through_v ? v : u;
   }
   if (!(at_u < 0.0 && at_v > 0.0) || v == from) return no_index;
-  if (sides_[way_out].beside == no_index) return no_index;  // out of the face
+  if (sides_[exit_side].beside == no_index) return no_index;  // out of the face
   const double t = at_u / (at_u - at_v);
   const Place &p = points_[u].place, &q = points_[v].place;
   const Place x{std::lerp(p[0], q[0], t), std::lerp(p[1], q[1], t)};
   const Index crossing = new_point(number_of_({1.0 - x[0] - x[1], x[0], x[1]}), x);
-  insert_into_side(way_out, crossing);
-  split(side, sides_[way_out].next);
+  insert_into_side(exit_side, crossing);
+  split(side, sides_[exit_side].next);
   return crossing;
 }
 

@@ -59,7 +59,7 @@ class FaceDivision {
   void for_each_part_at(Index point, Visit&& visit) const;
 
   Index part_with(const Place& place);
-  bool is_in_part(Index side, const Place& place, Index* way_out) const;
+  bool is_in_part(Index side, const Place& place, Index* exit_side) const;
   Index nearest_side(Index part, const Place& place) const;
   void insert_into_side(Index side, Index point);
   void split(Index side, Index other);

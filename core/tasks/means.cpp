@@ -42,7 +42,7 @@ struct Place {
   std::vector<Pull> pulls{};
   std::vector<Turn> turns{};  ///< nearest first
   double energy = 0.0;
-  double held = 0.0;      ///< growth of the sum per length in every direction: it has a kink at points here
+  double kink = 0.0;      ///< growth of the sum per length in every direction, by points at this place
   double farthest = 0.0;  ///< distance of the points
 
   double between(double angle, double other) const {
@@ -51,7 +51,7 @@ struct Place {
   }
   /// First and second derivative of the sum in a direction. A path straight back grows by the whole step.
   double slope(double angle) const {
-    double slope = held;
+    double slope = kink;
     for (const Pull& pull : pulls) slope -= pull.force * std::cos(between(angle, pull.angle));
     return slope;
   }
@@ -136,7 +136,7 @@ class Descent {
       const double across = is_here ? 1.0 : distance / straight;
       place.pulls.push_back({angle, 2.0 * weight * distance, 2.0 * weight, 2.0 * weight * across});
     } else if (is_here) {
-      place.held += weight;
+      place.kink += weight;
     } else {
       place.pulls.push_back({place.frame.angle_of(map.vector[i]), weight, 0.0, weight / straight});
     }
@@ -170,7 +170,7 @@ class Descent {
     Move move = along(here, std::atan2(y, x));
     const double determinant = xx * yy - xy * xy;
     // Where all points lie on one line, a median has no second derivative along it.
-    if (here.held == 0.0 && determinant > 1e-12 * (xx + yy) * (xx + yy)) {
+    if (here.kink == 0.0 && determinant > 1e-12 * (xx + yy) * (xx + yy)) {
       const double to_x = (yy * x - xy * y) / determinant, to_y = (xx * y - xy * x) / determinant;
       move = {std::atan2(to_y, to_x), std::hypot(to_x, to_y)};
     }
@@ -193,7 +193,7 @@ class Descent {
     };
     const double full = here.frame.full_turn(), half = std::min(std::numbers::pi, 0.5 * full);
     const double end = here.frame.is_on_border() ? 0.5 * full : full;
-    std::vector<Part> parts{{0.0, 0.0, 0.0, here.held}, {end, 0.0, 0.0, 0.0}};
+    std::vector<Part> parts{{0.0, 0.0, 0.0, here.kink}, {end, 0.0, 0.0, 0.0}};
     for (const Pull& pull : here.pulls) {
       parts[0].constant += pull.force;
       for (const double angle : {pull.angle - full, pull.angle, pull.angle + full}) {

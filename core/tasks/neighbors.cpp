@@ -72,13 +72,13 @@ double sparse_bytes(double entries) { return entries * (sizeof(Entry) + sizeof(I
 
 namespace {
 
-/// For each row, the entries within the radius for which wanted(row, column). `held`: how many entries of the
-/// result each of them makes.
+/// For each row, the entries within the radius for which wanted(row, column). `entries_per_pair`: how many
+/// entries of the result each of them makes.
 template <class Wanted>
 std::vector<std::vector<Entry>> entries_within(Surface& surface, const PointList& rows,
-                                               const PointList& columns, double radius, std::size_t held,
-                                               std::int64_t max_bytes, const TaskOptions& options,
-                                               Wanted&& wanted) {
+                                               const PointList& columns, double radius,
+                                               std::size_t entries_per_pair, std::int64_t max_bytes,
+                                               const TaskOptions& options, Wanted&& wanted) {
   require_radius(radius);
   Workers workers(surface, options, static_cast<double>(rows.size()), surface.reach_of(radius));
   std::vector<std::vector<Entry>> entries(rows.size());
@@ -91,7 +91,7 @@ std::vector<std::vector<Entry>> entries_within(Surface& surface, const PointList
                    entries[i].push_back({static_cast<Index>(j), found[j]});
                  }
                  entries[i].shrink_to_fit();
-                 counter.add(held * entries[i].size());
+                 counter.add(entries_per_pair * entries[i].size());
                });
   return entries;
 }

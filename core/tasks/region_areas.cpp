@@ -2,6 +2,7 @@
 #include "tasks/region_areas.h"
 
 #include <cmath>
+#include <limits>
 #include <set>
 #include <vector>
 

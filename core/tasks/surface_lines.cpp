@@ -35,9 +35,9 @@ std::vector<std::vector<Index>> lines_in_order(std::vector<std::array<Index, 2>>
     beside[a].push_back(b);
     beside[b].push_back(a);
   }
-  for (const auto& [number, ways] : beside) {
-    if (ways.size() > 2) {
-      throw InvalidInput("The curve branches: " + name(number) + " has " + std::to_string(ways.size()) +
+  for (const auto& [number, neighbours] : beside) {
+    if (neighbours.size() > 2) {
+      throw InvalidInput("The curve branches: " + name(number) + " has " + std::to_string(neighbours.size()) +
                          " of its edges. Leave two of them.");
     }
   }
@@ -50,8 +50,8 @@ std::vector<std::vector<Index>> lines_in_order(std::vector<std::array<Index, 2>>
       for (Index from = no_index, next = others[0]; next != no_index && next != first;) {
         from = line.back();
         line.push_back(next);
-        const auto& ways = beside.at(next);
-        next = ways[0] != from ? ways[0] : ways.size() > 1 ? ways[1] : no_index;
+        const auto& neighbours = beside.at(next);
+        next = neighbours[0] != from ? neighbours[0] : neighbours.size() > 1 ? neighbours[1] : no_index;
       }
       passed.insert(line.begin(), line.end());
       if (others.size() > 1) line.push_back(first);

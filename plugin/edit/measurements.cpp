@@ -150,14 +150,14 @@ void Measurements::set_unit(LengthUnit unit) {
 }
 
 void Measurements::remember() {
-  before_.push_back(all_);
-  if (before_.size() > most_undone) before_.erase(before_.begin());
+  undo_states_.push_back(all_);
+  if (undo_states_.size() > most_undone) undo_states_.erase(undo_states_.begin());
 }
 
 void Measurements::undo() {
-  if (before_.empty()) return;
-  all_ = std::move(before_.back());
-  before_.pop_back();
+  if (undo_states_.empty()) return;
+  all_ = std::move(undo_states_.back());
+  undo_states_.pop_back();
   tell();
 }
 
@@ -488,7 +488,7 @@ void Measurements::take(const std::string& text, bool whole, const LayerOf& laye
   }
   if (whole) {
     all_.clear();
-    before_.clear();
+    undo_states_.clear();
   } else {
     if (found.empty()) return;
     remember();

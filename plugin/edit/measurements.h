@@ -173,7 +173,7 @@ class Measurements {
   void tell();
 
   std::vector<Measurement> all_;
-  std::vector<std::vector<Measurement>> before_;  ///< for undo(): earlier states, the latest last
+  std::vector<std::vector<Measurement>> undo_states_;  ///< for undo(): earlier states, the latest last
   LengthUnit unit_ = LengthUnit::model;
   int last_ = 0;
   int revision_ = 0;

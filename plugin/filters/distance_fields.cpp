@@ -123,7 +123,7 @@ Results write_distance_field(FilterCall& call, LayerSurface& layer, const std::v
   const char* kind = at_vertices ? (sources.size() == 1 ? " source vertex" : " source vertices")
                                  : (sources.size() == 1 ? " source point" : " source points");
   std::ostringstream text;
-  const bool to = asks_for_ways_to(call);
+  const bool to = asks_for_paths_to(call);
   text << (to ? "Distances to " : "Distances from ") << sources.size() << kind << (to ? " from " : " to ")
        << reach.reached << " vertices, the largest " << logged_length(reach.largest) << ", in "
        << std::setprecision(3) << answered.seconds << " s";
@@ -157,9 +157,8 @@ QString help_on_exact() {
          "<p>See:<br/>" +
          reference_of_exact() +
          "<br/><i>Vitaly Surazhsky, Tatiana Surazhsky, Danil Kirsanov, Steven J. Gortler, Hugues "
-         "Hoppe</i><br/>"
-         "<b>\"Fast exact and approximate geodesics on meshes\"</b><br/>ACM Transactions on Graphics 24(3), "
-         "2005.</p>";
+         "Hoppe</i><br/><b>\"Fast exact and approximate geodesics on meshes\"</b><br/>ACM Transactions on "
+         "Graphics 24(3), 2005.</p>";
 }
 
 FilterRow field_row(const char* menu_name, const char* python_name, const QString& help,

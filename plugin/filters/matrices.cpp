@@ -223,8 +223,7 @@ std::vector<FilterRow> matrix_rows() {
        FilterPlugin::Measure, MeshModel::MM_NONE, matrix_parameters, distance_matrix_of_selection},
       {"Geodesic pairs within a radius (VoroGeo)", "get_vorogeo_pairs_within_radius_of_selection",
        "<p>All pairs of points whose geodesic distance is at most <b>Radius</b>, each pair once, but both "
-       "ways "
-       "in a metric that goes one way. Returned as "
+       "ways in a metric that goes one way. Returned as "
        "<i>first</i> and <i>second</i> (the numbers of the points) and <i>distances</i>; <b>File</b> writes "
        "these three columns as a .npy file that <i>numpy.load</i> reads.</p>" +
            help_on_task_points() + help_on_exact_parameter() + references_of_index(),

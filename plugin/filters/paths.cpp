@@ -360,8 +360,7 @@ std::vector<FilterRow> path_rows() {
            "<p>How to choose: the vertices of a point layer are passed in the order in which that has them, "
            "selected ones in that of their numbers. Each leg is the exact shortest path; an index only makes "
            "it faster. Guides lead past the side of a hole, a handle or a limb that a shortest path would "
-           "not "
-           "take.</p><p>Returns the <i>length</i>, the number of <i>points</i> and whether the path is "
+           "not take.</p><p>Returns the <i>length</i>, the number of <i>points</i> and whether the path is "
            "<i>certified</i>: proven to be the shortest through these points.</p>" +
            references_of_index(),
        FilterPlugin::Measure, MeshModel::MM_NONE, path_through_parameters, draw_path_through},
@@ -416,18 +415,16 @@ std::vector<FilterRow> path_rows() {
       {"Profile of a curve (VoroGeo)", "generate_polyline_by_vorogeo_profile",
        "<p>What lies along a curve over the surface: the length so far, the height in the direction "
        "<b>Up</b>, the angle of the normal with it (in radians: 0 on level ground, a quarter turn on a "
-       "wall), "
-       "the curvature of the surface in the direction of the curve (1/r round a ball, below 0 in hollows), "
-       "and the thickness, how far it is against the normal to the next face. The curve is a new polyline "
-       "layer, which becomes the current one, with these five as custom attributes of its vertices, and "
-       "<b>Quality</b> says which of them is the quality; where it is infinite, the quality is -1. "
+       "wall), the curvature of the surface in the direction of the curve (1/r round a ball, below 0 in "
+       "hollows), and the thickness, how far it is against the normal to the next face. The curve is a new "
+       "polyline layer, which becomes the current one, with these five as custom attributes of its vertices, "
+       "and <b>Quality</b> says which of them is the quality; where it is infinite, the quality is -1. "
        "<b>CSV file</b> writes them as a table.</p>" +
            help_on_curve() +
            "<p>How to choose: the curve is one line that does not branch; shortest paths join its points, "
-           "and "
-           "those of a layer without lines in their order. Normals are those of most faces: where they lead "
-           "inwards, turn all faces over first. Curvature comes from the normals of the vertices and is as "
-           "rough as these.</p><p>Returns the columns of the table as vectors: <i>length</i>, "
+           "and those of a layer without lines in their order. Normals are those of most faces: where they "
+           "lead inwards, turn all faces over first. Curvature comes from the normals of the vertices and is "
+           "as rough as these.</p><p>Returns the columns of the table as vectors: <i>length</i>, "
            "<i>height</i>, <i>angle</i>, <i>curvature</i>, <i>thickness</i> (infinity where no face lies "
            "below). The mesh is not changed.</p>" +
            references_of_index(),

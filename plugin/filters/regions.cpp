@@ -638,15 +638,14 @@ std::vector<FilterRow> region_rows() {
       {"Area of a region (VoroGeo)", "get_vorogeo_area_of_region",
        "<p>The area of a region and the length of its border, and if it has no border the volume that it "
        "encloses. The region is the selected faces of the layer or, if <b>Curve layer</b> is another one, "
-       "the inside of the closed curve of that: the side without a border of the surface or, if both or "
-       "none have one, the smaller one. Faces that the curve crosses count in part.</p><p>The points of the "
-       "curve are moved to the nearest point of the surface; <i>snap_distance</i> is the farthest move, and "
-       "one of more than <b>Max snap distance</b> is an error unless that is 0.</p><p>How to choose: the "
-       "curve is one line that does not branch; shortest paths join its points, those of a layer without "
-       "lines in their "
-       "order, and the ends of an open one. It must not touch itself, and has to divide the surface. For "
-       "several regions apply the filter once for each.</p><p>Returns <i>area</i>, <i>border_length</i> and "
-       "<i>volume</i> (not a number where there is a border). The mesh is not changed.</p>" +
+       "the inside of the closed curve of that: the side without a border of the surface or, if both or none "
+       "have one, the smaller one. Faces that the curve crosses count in part.</p><p>The points of the curve "
+       "are moved to the nearest point of the surface; <i>snap_distance</i> is the farthest move, and one of "
+       "more than <b>Max snap distance</b> is an error unless that is 0.</p><p>How to choose: the curve is "
+       "one line that does not branch; shortest paths join its points, those of a layer without lines in "
+       "their order, and the ends of an open one. It must not touch itself, and has to divide the surface. "
+       "For several regions apply the filter once for each.</p><p>Returns <i>area</i>, <i>border_length</i> "
+       "and <i>volume</i> (not a number where there is a border). The mesh is not changed.</p>" +
            references_of_index(),
        FilterPlugin::Measure, MeshModel::MM_NONE, region_parameters, measure_region},
       {"Polygon of shortest paths (VoroGeo)", "generate_polyline_by_vorogeo_polygon",

@@ -95,13 +95,11 @@ RichEnum method_parameter() {
   for (const Answer method : {Answer::automatic, Answer::index, Answer::exact, Answer::quick}) {
     names.append(name_of(method));
   }
-  return RichEnum(
-      "method", static_cast<int>(Answer::automatic), names, "Method",
-      "automatic: the index if this mesh has one, else exact answers, until these have taken as long as "
-      "building an index would; then it is built. index: builds it at once. exact: no errors, no "
-      "index. quick: a field with errors below a tenth of a percent in the mean, on large meshes in a third "
-      "to "
-      "a tenth of the time.");
+  return RichEnum("method", static_cast<int>(Answer::automatic), names, "Method",
+                  "automatic: the index if this mesh has one, else exact answers, until these have taken as "
+                  "long as building an index would; then it is built. index: builds it at once. exact: no "
+                  "errors, no index. quick: a field with errors below a tenth of a percent in the mean, on "
+                  "large meshes in a third to a tenth of the time.");
 }
 
 Answer method_of(const FilterCall& call) {

@@ -69,7 +69,7 @@ auto ask_surface(FilterCall& call, LayerSurface& layer, const std::string& activ
   const bool had_index = layer.index() != nullptr;
   if (!had_index) log_warnings(call, layer);
   Answered answered;
-  const bool to = asks_for_ways_to(call);
+  const bool to = asks_for_paths_to(call);
   auto found = run_ticking(call.progress, activity, [&](const Progress& progress) {
     try {
       return ask(to ? layer.surface()->reversed() : *layer.surface(), answered, progress);

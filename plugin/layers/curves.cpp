@@ -116,8 +116,8 @@ RichParameterList curve_parameters(const MeshDocument& document) {
 QString help_on_curve() {
   return "<p>The curve is the selected edges of the layer or, if <b>Curve layer</b> is another one, the "
          "lines of that, such as a path or a plane section: their points are moved to the nearest point of "
-         "the "
-         "surface; <i>snap_distance</i> is the farthest move, and one of more than <b>Max snap distance</b> "
+         "the surface; <i>snap_distance</i> is the farthest move, and one of more than <b>Max snap "
+         "distance</b> "
          "is an error unless that is 0.</p>";
 }
 

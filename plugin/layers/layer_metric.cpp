@@ -252,8 +252,7 @@ RichParameterList metric_parameters() {
           "across ridges and limbs than along them; or the quality of faces as a cost that jumps at edges, "
           "where paths refract. By the last three, a way back costs something else: seconds on foot by "
           "Tobler's hiking function if the unit is a metre; length and a cost for each unit of height, up "
-          "and "
-          "down; or time in a wind or current. These are answered exactly, without an index. An index "
+          "and down; or time in a wind or current. These are answered exactly, without an index. An index "
           "belongs to its metric: newly painted quality is another metric. A "
           "filter that overwrites the quality keeps the cost as the vertex attribute metric_cost, so that it "
           "can be applied again.",
@@ -292,7 +291,7 @@ RichBool direction_parameter() {
                   advanced);
 }
 
-bool asks_for_ways_to(const FilterCall& call) {
+bool asks_for_paths_to(const FilterCall& call) {
   return call.parameters.hasParameter("to") && call.parameters.getBool("to");
 }
 

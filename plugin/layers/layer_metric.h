@@ -14,7 +14,7 @@ namespace vorogeo::plugin {
 // and for filters that measure from points the parameter `to`: whether paths lead to the points instead.
 RichParameterList metric_parameters();
 RichBool direction_parameter();
-bool asks_for_ways_to(const FilterCall& call);
+bool asks_for_paths_to(const FilterCall& call);
 QString help_on_metric();
 RichParameterList gap_parameters(const MeshDocument& document);
 
