@@ -54,7 +54,7 @@ std::uint64_t bits_of(double coordinate) {
   return bits;
 }
 
-/// Of vertices, which may have no positions, and faces.
+/// Hash of the number of vertices, their positions, if there are any, and the faces.
 WordHash hash_of(std::size_t vertices, std::span<const Point> positions,
                  std::span<const std::array<Index, 3>> faces) {
   WordHash hash;
@@ -83,7 +83,7 @@ Fingerprint fingerprint_of(const Mesh& mesh) {
   const auto positions =
       std::span(mesh.positions()).first(mesh.has_positions() ? mesh.positions().size() : 0);
   WordHash hash = hash_of(static_cast<std::size_t>(mesh.vertex_count()), positions, mesh.faces());
-  // A metric with the lengths in space is a metric, too: distances differ by rounding.
+  // A metric counts even if its lengths are those in space: distances differ by rounding.
   if (mesh.metric_jumps()) {
     hash.add(static_cast<std::uint64_t>(mesh.points_per_edge()), 0);
     for (const Index f : checked(mesh.face_count())) {

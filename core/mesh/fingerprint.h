@@ -18,7 +18,7 @@ struct Fingerprint {
 
 /// Complexity: O(n + m), at the speed of memory.
 Fingerprint fingerprint_of(const Mesh& mesh);
-/// That of their mesh without a metric.
+/// The fingerprint of a mesh with these positions and faces, without a metric.
 Fingerprint fingerprint_of(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces);
 
 }  // namespace vorogeo

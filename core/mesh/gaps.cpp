@@ -74,7 +74,7 @@ struct BorderSide {
 /// The part of two sides that runs beside each other.
 struct SidePair {
   double apart;    ///< their distance in the middle of that part
-  double nearest;  ///< in its middle or at one of its ends
+  double nearest;  ///< the least distance in its middle and at its ends
   double overlap;  ///< its length
   Point across;    ///< from the first side to the second, in the middle
 };
@@ -207,7 +207,7 @@ class BorderSides {
 
 /// Holes with more edges than this belong to the surface; smaller ones are left where gaps meet.
 constexpr std::size_t max_hole_edges = 16;
-/// Rather than that a row grows, a new one begins where the gap is narrower by this factor.
+/// A new row begins, instead of another one growing, where the gap is narrower by this factor.
 constexpr double begin_early = 2.0;
 
 /// Makes the triangles between borders. Each border edge becomes the side of one triangle at most.
@@ -282,7 +282,7 @@ class GapZipper {
   /// A row that grows next where the gap is `apart` wide.
   struct Growing {
     double apart;
-    std::size_t number;  ///< for an order of its own
+    std::size_t number;  ///< order of insertion; breaks ties
     Front front;
     bool operator>(const Growing& other) const {
       return apart != other.apart ? apart > other.apart : number > other.number;
@@ -387,7 +387,7 @@ class GapZipper {
       growing_.push({width, pushed_++, front});
     }
   }
-  /// One triangle more, unless its side has been used since the row was noted.
+  /// Adds a triangle, unless its side has been used since the row was noted.
   void grow(Front front) {
     const bool p = next_width_p(front) < unreachable;
     const bool q = next_width_q(front) < unreachable;
@@ -434,8 +434,8 @@ class GapZipper {
 
 /// Sides that run beside each other for less than this part of the shorter one only meet at a corner.
 constexpr double least_overlap = 0.1;
-/// Partners kept for each side, the nearest ones, and sides looked at for them: many borders at one place
-/// then cost time proportional to their number.
+/// How many of the nearest partners are kept for each side, and how many sides are examined for them: so many
+/// borders at one place cost time proportional to their number.
 constexpr std::size_t max_partners = 8;
 constexpr int max_looked_at = 256;
 /// Where gaps meet, holes are left between their bridges, which the next round closes like gaps.
@@ -443,9 +443,9 @@ constexpr int max_rounds = 4;
 
 bool same_place(const Point& a, const Point& b) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
 
-/// By vertex, the first of the border vertices at its position that it is one with; empty if no two are.
-/// Those of one face stay two: there is an edge of no length between them, and without the face, its third
-/// vertex might lose what it hangs on.
+/// By vertex, the first of the border vertices at its position that it is merged with; empty if none are
+/// merged. Two vertices of one face are not: an edge of length 0 joins them, and merging them would drop the
+/// face, which may be all that connects its third vertex.
 std::vector<Index> equal_vertices(const Mesh& mesh) {
   struct Keyed {
     std::uint64_t key;
@@ -497,7 +497,7 @@ std::vector<Index> equal_vertices(const Mesh& mesh) {
   return same_as;
 }
 
-/// Tells the zipper which sides run beside a side, the nearest of them.
+/// Tells the zipper the nearest sides that run beside a side.
 void add_starts(const BorderSides& sides, Index side, const GapLimit& limit, GapZipper& zipper) {
   std::vector<std::pair<double, Index>> nearest;
   const double length = distance_between(sides.box(side).low, sides.box(side).high);

@@ -34,7 +34,7 @@ struct SideOfFace {
 
 /// The sides of all usable faces, sorted by ends and then by faces: those of one edge stand together.
 std::vector<SideOfFace> sorted_sides(std::span<const std::array<Index, 3>> faces);
-/// The same without faces over the same vertices as an earlier one: the sides that a Mesh has.
+/// The same without the faces that repeat the vertices of an earlier one: the sides that a Mesh has.
 std::vector<SideOfFace> sides_in_mesh(std::span<const std::array<Index, 3>> faces);
 
 // ---- Bridges over the gaps of a mesh: faces between borders that lie near each other
@@ -59,13 +59,13 @@ void require_gap(const GapLimit& limit);
 /// edges, if the limit is no more than a few of them long.
 GapBridges find_gap_bridges(const Mesh& mesh, const GapLimit& limit);
 
-/// A metric with the sides of bridges: their lengths in space, times the greatest ratio of a side to its
-/// length in space in the border faces at the bridge's corners, so that it is as dear as its dearer side, and
-/// both ways cost the same. Faces are not split. `mesh`: without bridges. \pre The metric has sides.
+/// The metric with the sides of bridges: their lengths in space, times the greatest ratio of a side to its
+/// length in space in the border faces at the bridge's corners. So a bridge is as dear as its dearer border,
+/// and both ways cost the same. Faces are not split. `mesh`: without bridges. \pre The metric has sides.
 Metric with_bridges(const Mesh& mesh, const GapBridges& bridges, Metric metric);
 
-/// A limit with which all faces are one component; `unreachable` if none would do. Mostly the least: bridges
-/// of a lower one may happen to join what is nearest elsewhere.
+/// A limit with which all faces are one component; `unreachable` if none would do. Mostly the least such
+/// limit: with a lower one, bridges may happen to join components that are nearest to each other elsewhere.
 /// Complexity: O(b log b log c) for c components.
 double gap_to_join_all(const Mesh& mesh, bool folds);
 

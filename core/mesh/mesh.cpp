@@ -97,7 +97,7 @@ Mesh::Mesh(std::vector<Point> positions, std::vector<std::array<Index, 3>> faces
   connect(metric.sides, metric.drifts);
   if (bridges.faces.empty()) return;
   const auto first = std::ranges::lower_bound(input_face_, given_face_count_);
-  // No numbers are kept where no face was left out, nor where all were.
+  // `input_face_` is empty where no face was left out, and also where all were.
   first_bridge_ = input_face_.empty() ? std::min(given_face_count_, face_count())
                                       : static_cast<Index>(first - input_face_.begin());
 }
@@ -249,7 +249,7 @@ void Mesh::leave_out_faces(const SideLengths& sides) {
   parallel_ranges(vertex_count(), [&](Index begin, Index end) {
     std::vector<Keyed> keyed;
     for (Index v = begin; v < end; ++v) {
-      // Each face at its least vertex.
+      // Each face is examined at its least vertex.
       keyed.clear();
       for (Index h : corners(v)) {
         const auto [middle, greatest] = std::minmax({head(h), apex(h)});
@@ -286,7 +286,6 @@ void Mesh::leave_out_faces(const SideLengths& sides) {
   list_corners();
 }
 
-/// Numbers the edges by their lower ends, then by their upper ends, and links their half-edges in rings.
 Index Mesh::edge_between(Index a, Index b) const {
   for (const Index h : corners(a)) {
     if (head(h) == b) return edge_of(h);
@@ -295,8 +294,10 @@ Index Mesh::edge_between(Index a, Index b) const {
   return no_index;
 }
 
+/// Numbers the edges by their lower ends, then by their upper ends, and links their half-edges in rings.
 void Mesh::link_edges() {
-  // Sorted: the upper end of an edge, then a half-edge. The first key of each edge is marked afterwards.
+  // A key is the upper end of an edge, then a half-edge: sorted, the half-edges of an edge stand together.
+  // The first key of each edge is marked afterwards.
   using Key = std::uint64_t;
   constexpr Key mark = Key{1} << 63;
   auto halfedge = [](Key key) { return static_cast<Index>(key & 0xffffffff); };
@@ -411,7 +412,7 @@ namespace {
 double cross_length(const Point& a, const Point& b) {
   const Point across = cross(a, b);
   const double square = dot(across, across);
-  // Only there do squares keep all their digits.
+  // Outside this range, squares lose digits or overflow.
   const bool in_range = square > 1e-270 && square < 1e270;
   return in_range ? std::sqrt(square) : length_of(across);
 }
@@ -426,10 +427,10 @@ double Mesh::corner_angle(Index halfedge) const {
   return std::atan2(cross_length(to_next, to_previous), dot(to_next, to_previous));
 }
 
-/// The sum of the angles of the corners at a vertex. Angles add up where complex numbers are multiplied, so
-/// one arctangent serves them all; half turns are counted.
+/// The sum of the angles of the corners at a vertex. Complex numbers are multiplied, which adds their angles,
+/// so one arctangent serves all corners; half turns are counted.
 double Mesh::angle_around(Index vertex) const {
-  double cosine = 1.0, sine = 0.0;  // times a positive number; of an angle in [0, pi)
+  double cosine = 1.0, sine = 0.0;  // of the sum less its half turns, in [0, pi), times a positive number
   double others = 0.0;
   int half_turns = 0;
   for (Index h : corners(vertex)) {
@@ -501,7 +502,7 @@ namespace {
 /// Lengths of one edge in two faces, and the sums in the triangle inequality, may differ by rounding.
 constexpr double length_rounding = 1e-9;
 
-/// Sides of an edge that are this close, relative to the shortest, are those of one length.
+/// Faces agree on an edge if its lengths in them differ by no more than this part of the shortest.
 constexpr double agreement_rounding = 1e-12;
 
 /// The bound of straight lines must hold after rounding.
@@ -637,7 +638,7 @@ void Mesh::take_drifts(const SideLengths& drifts) {
   drift_along_edges();
 }
 
-/// Replaces the drifts of each component round all of whose loops they sum to 0.
+/// Replaces drifts by a potential in each component in which they sum to 0 round every loop.
 void Mesh::take_potentials() {
   std::vector<double> height(positions_.size(), 0.0);
   std::vector<std::uint8_t> is_reached(positions_.size(), 0);
@@ -696,8 +697,7 @@ void Mesh::drift_along_edges() {
   }
 }
 
-/// Where the faces of all edges agree, a metric that may jump is one that does not: such components are
-/// solved exactly.
+/// Finds the components in which faces disagree on an edge or have drifts; windows solve the others exactly.
 void Mesh::find_jumps() {
   component_jumps_.assign(component_count_, 0);
   for (const Index h : checked(3 * face_count())) {
@@ -738,8 +738,8 @@ std::array<double, 3> Mesh::side_lengths(Index face) const {
 
 /// The corners of a face, laid into the plane by the lengths of its sides.
 std::array<Point, 3> Mesh::corners_by_lengths(Index face) const {
-  // The longest side lies on the x axis and begins where the shorter of the other two ends, so differences
-  // are taken of numbers that have all their digits.
+  // The longest side lies on the x axis and begins where the shorter of the other two ends, so the difference
+  // below is one of given lengths, which have all their digits.
   const auto side = side_lengths(face);
   const auto apex = static_cast<int>(std::ranges::max_element(side) - side.begin());
   int origin = (apex + 1) % 3;
@@ -772,7 +772,7 @@ void Mesh::bound_straight_lines() {
     const double product = metric.determinant() / area;
     const double root = std::sqrt(std::max(0.0, sum * sum - 4.0 * product));
     if (!(sum + root > 0.0)) return;
-    // A step with the drift costs its length less the drift's norm times that.
+    // The cheapest step costs its length times 1 minus the norm of the drift.
     const double a = drift(3 * f);
     const double b = -drift(3 * f + 2);
     const double drift_squared = metric.bb * a * a - 2.0 * metric.ab * a * b + metric.aa * b * b;

@@ -38,15 +38,15 @@ inline bool is_impassable(const std::array<double, 3>& sides) {
 /// Which vertices there are, for a sentence: "vertices 0 to 7", "no vertices".
 std::string vertex_range(Index vertex_count);
 
-/// The position of all vertices of a surface that was given none.
+/// The position of every vertex of a surface without positions.
 inline constexpr Point no_position{std::numeric_limits<double>::quiet_NaN(),
                                    std::numeric_limits<double>::quiet_NaN(),
                                    std::numeric_limits<double>::quiet_NaN()};
 /// What closes the gaps of a mesh (gaps.h).
 struct GapBridges {
-  /// By vertex, the first of the vertices that are one with it; empty if none are.
+  /// By vertex, the first of the vertices merged with it, or itself; empty if none are merged.
   std::vector<Index> same_as;
-  /// Faces between borders, over the vertices of the mesh.
+  /// Faces between borders; their corners are vertices of the mesh.
   std::vector<std::array<Index, 3>> faces;
 
   bool empty() const { return same_as.empty() && faces.empty(); }
@@ -55,8 +55,8 @@ struct GapBridges {
 /// Faces split at the middles of their sides, where a metric varies too much for one triangle
 /// (metric.h).
 struct FaceSplits {
-  /// By vertex that is added behind those given: the ends of the line whose middle it is; they come before
-  /// it.
+  /// By added vertex, numbered after the given ones: the ends of the line whose middle it is; both come
+  /// first.
   std::vector<std::array<Index, 2>> middle_of;
   /// All faces, the parts of a face in its place.
   std::vector<std::array<Index, 3>> faces;
@@ -66,30 +66,30 @@ struct FaceSplits {
   bool empty() const { return middle_of.empty(); }
 };
 
-/// Points on an edge between well-shaped faces where a metric jumps, from which faces are crossed
-/// (core/exact): errors fall with the square of their number or faster.
+/// Number of points on an edge between well-shaped faces where a metric jumps; core/exact crosses faces from
+/// these points. Errors fall with the square of the number or faster.
 inline constexpr Index usual_edge_points = 6;
 
-/// How long the sides of faces are, if not as long as in space.
+/// Lengths of the sides of faces, if other than those in space.
 struct Metric {
   Metric() = default;
   Metric(SideLengths lengths, Index points = 0)  // NOLINT(google-explicit-constructor)
       : sides(std::move(lengths)), points_per_edge(points) {}
 
-  /// Of the faces as given; none: lengths in space. In a face that is split, the longest is shortened to the
-  /// length of the others together. Infinite in a face that no path may enter: it is left out.
+  /// By given face; empty: lengths in space. In a face that is split, a side longer than the other two
+  /// together is shortened to their sum. Infinite in a face that no path may enter, which is left out.
   SideLengths sides;
-  /// Of the same sides, where the way back costs something else: from the next corner to the one after it, a
-  /// step along the side costs its length and this, a step back its length less this. None: both ways cost
-  /// the same. Only where faces may disagree.
+  /// Drifts of the same sides, where the way back costs something else: along the side of corner k, a step
+  /// from corner k + 1 to corner k + 2 costs the length plus the drift, a step back the length minus the
+  /// drift. Empty: both ways cost the same. With drifts, faces may disagree.
   SideLengths drifts;
   /// Above 0, the faces of an edge may disagree, so that paths refract: where some do, the metric jumps at
   /// edges. An edge is as long as in the face where it is shortest; with drifts, which also count as jumps,
-  /// as half the least costs there and back together.
+  /// its length is half the sum of the least costs there and back.
   Index points_per_edge = 0;
-  FaceSplits splits;          ///< what to measure on instead of `sides`; empty if no face is split
-  Index split_faces = 0;      ///< that are measured in parts
-  Index shortened_edges = 0;  ///< that were too long all the same, and have the length of two others
+  FaceSplits splits;          ///< used instead of `sides`; empty if no face is split
+  Index split_faces = 0;      ///< number of given faces that are split
+  Index shortened_edges = 0;  ///< edges too long even so, shortened to the sum of the other two sides
 };
 
 /// A triangle mesh: connectivity, edge lengths, and positions. Angles and areas are taken from positions, as
@@ -113,24 +113,23 @@ class Mesh {
   /// Complexity: O(n + m log m) for n vertices and m faces; large meshes are read on all cores.
   ///
   /// With a metric, the sides of the faces have the lengths it says. `positions` may then all be
-  /// `no_position`; what only needs lengths works, and positions in results are NaN. Vertices that its splits
-  /// add are vertices like others; InputMap tells hosts what they gave. \throw InvalidInput also for lengths
-  /// that are negative or not finite, on which two faces of an edge
-  ///        disagree though the metric does not jump, or that break the triangle inequality, beyond rounding
-  ///        (names the face and its three lengths), and for more than 1000 points on each edge.
+  /// `no_position`; what needs only lengths works, and positions in results are NaN. Vertices added by its
+  /// splits are vertices like others; InputMap translates to the numbers of the host. \throw InvalidInput
+  /// also for lengths that are negative or not finite, on which two faces of an edge disagree though the
+  /// metric does not jump, or that break the triangle inequality, beyond rounding (names the face and its
+  /// three lengths), and for more than 1000 points on each edge.
   Mesh(std::vector<Point> positions, std::vector<std::array<Index, 3>> faces, const Metric& metric = {});
-  /// With its gaps closed: vertices keep their numbers, but faces name only the first of those that are one,
-  /// and the bridges follow the other faces, as their sides do in the metric. The others of these have no
-  /// face; wherever a point, a distance or a component is asked for, the first stands for them. \pre The
-  /// metric has no splits.
+  /// The mesh with its gaps closed. Vertices keep their numbers, but faces name only the first of several
+  /// merged vertices, and it stands for the others wherever a point, a distance or a component is asked for.
+  /// Bridges are the last faces, and their sides the last rows of the metric. \pre The metric has no splits.
   Mesh(std::vector<Point> positions, std::vector<std::array<Index, 3>> faces, const GapBridges& bridges,
        const Metric& metric = {});
 
   Index vertex_count() const { return static_cast<Index>(positions_.size()); }
-  /// Without the vertices that splits of faces have added, which follow them.
+  /// Without the vertices added by splits of faces, which have the highest numbers.
   Index given_vertex_count() const { return static_cast<Index>(positions_.size() - middle_of_.size()); }
   Index face_count() const { return static_cast<Index>(face_vertices_.size()); }
-  /// Of the constructor's list, with those that were left out.
+  /// Number of faces in the constructor's list, including those left out.
   Index given_face_count() const { return given_face_count_; }
   Index edge_count() const { return static_cast<Index>(edge_vertices_.size()); }
 
@@ -141,11 +140,11 @@ class Mesh {
   const std::array<Index, 3>& face_vertices(Index face) const { return face_vertices_[face]; }
   const std::vector<std::array<Index, 3>>& faces() const { return face_vertices_; }
   bool has_split_faces() const { return !middle_of_.empty(); }
-  /// The ends of the line whose middle a vertex is that a split has added.
+  /// The ends of the line in whose middle a split added the vertex.
   const std::array<Index, 2>& middle_of(Index vertex) const {
     return middle_of_[vertex - given_vertex_count()];
   }
-  /// The corners of the face given (`input_face`) that `face` is, or is a part of.
+  /// The corners of the given face (`input_face`) that `face` is or is a part of.
   const std::array<Index, 3>& given_corners(Index face) const;
   /// The face of the constructor's list that became `face`, or of which it is a part (faces left out have no
   /// counterpart here). Ascending.
@@ -154,7 +153,7 @@ class Mesh {
   Index first_bridge() const { return first_bridge_ == no_index ? face_count() : first_bridge_; }
   bool is_bridge(Index face) const { return face >= first_bridge(); }
   bool has_merged_vertices() const { return !same_as_.empty(); }
-  /// The vertex that faces name for it: itself, except for vertices that became one over a gap.
+  /// The vertex that faces name instead: itself, except for vertices merged over a gap.
   Index representative(Index vertex) const { return same_as_.empty() ? vertex : same_as_[vertex]; }
   double face_area(Index face) const;
 
@@ -165,43 +164,43 @@ class Mesh {
   bool is_one_way() const { return has_drifts() || has_potential(); }
   /// Whether faces have drifts that are not those of a potential.
   bool has_drifts() const { return !face_drifts_.empty(); }
-  /// Where the drifts of a component are those of a potential, they change no path: each costs its length,
-  /// which is all that the mesh has there, and what the potential rises by from its begin to its end. 0 in
-  /// other components.
+  /// Where the drifts of a component are those of a potential, they do not change which path is shortest: a
+  /// path costs its length plus the rise of the potential from its beginning to its end. There the mesh holds
+  /// no drifts. The potential is 0 in other components.
   bool has_potential() const { return !potential_.empty(); }
   double potential(Index vertex) const { return potential_.empty() ? 0.0 : potential_[vertex]; }
   /// The same mesh on which every path costs what the path back costs here.
   Mesh reversed() const;
   /// Whether the faces of some edge disagree on its length.
   bool metric_jumps() const { return !component_jumps_.empty(); }
-  /// Whether faces of a component disagree on an edge; if not, its surface is made of flat faces.
+  /// Whether faces of a component disagree on an edge; if not, windows are exact in it.
   bool metric_jumps_in(Index component) const { return metric_jumps() && component_jumps_[component] != 0; }
   /// Whether there is a component with faces, all of which agree on their edges.
   bool metric_agrees_somewhere() const { return agrees_somewhere_; }
-  /// Of a metric that may jump; 0 in any other.
+  /// Number of points on each edge if the metric may jump, otherwise 0.
   Index points_per_edge() const { return points_per_edge_; }
-  /// The corners of a face: in space, or with a metric laid into the plane z = 0 by the lengths of its sides.
+  /// The corners of a face: in space or, with a metric, laid into the plane z = 0 by its side lengths.
   std::array<Point, 3> face_corners(Index face) const {
     const auto& [a, b, c] = face_vertices_[face];
     return has_metric_ ? corners_by_lengths(face) : std::array{positions_[a], positions_[b], positions_[c]};
   }
   std::array<Point, 3> corners_by_lengths(Index face) const;
-  /// Each opposite its corner.
+  /// Each side opposite the corner of the same number.
   std::array<double, 3> side_lengths(Index face) const;
   /// Length of an edge in the face of one of its half-edges.
   double side_length(Index halfedge) const {
     return face_sides_.empty() ? edge_length_[halfedge_edge_[halfedge]]
                                : face_sides_[halfedge / 3][(halfedge + 2) % 3];
   }
-  /// What is added to the length of a half-edge from its tail to its head, in its face, and taken off it the
-  /// other way. Linear over the face.
+  /// What a step along a half-edge costs in its face besides its length, from tail to head; a step back costs
+  /// that much less than the length. The drifts of a face are differences of a linear function.
   double drift(Index halfedge) const {
     return face_drifts_.empty() ? 0.0 : face_drifts_[halfedge / 3][(halfedge + 2) % 3];
   }
-  /// The same of an edge from its first vertex, in whichever of its faces is cheapest each way.
+  /// The drift of an edge from its first vertex, each way in the face where it is cheapest.
   double edge_drift(Index edge) const { return edge_drift_.empty() ? 0.0 : edge_drift_[edge]; }
-  /// A lower bound of the length of every path between two points in space: their distance, with a metric
-  /// multiplied by `straight_scale()`.
+  /// A lower bound of the length of every path between two points: their distance in space, multiplied by
+  /// `straight_scale()`.
   double straight_bound(const Point& a, const Point& b) const {
     return straight_scale_ > 0.0 ? straight_scale_ * distance_between(a, b) : 0.0;
   }
@@ -238,7 +237,7 @@ class Mesh {
   int edge_face_count(Index edge) const;
   double mean_edge_length() const { return mean_edge_length_; }
   /// Mean length of the edges that are at most ten times as long as the median of those longer than 0. A few
-  /// edges of whatever length do not change it, so it is the scale for the steps of a search.
+  /// edges, however long, hardly change it, so it is the scale for the steps of a search.
   double typical_edge_length() const { return typical_edge_length_; }
   double longest_edge_length() const { return longest_edge_length_; }
 
@@ -246,8 +245,7 @@ class Mesh {
   std::span<const Index> corners(Index vertex) const {
     return {corners_.data() + corner_begin_[vertex], corners_.data() + corner_begin_[vertex + 1]};
   }
-  /// Calls visit(half-edge, other end) for both edges of each corner at a vertex: for an edge as often as it
-  /// has faces.
+  /// Calls visit(half-edge, other end) for both edges of each corner at a vertex: once a face of an edge.
   template <class Visit>
   void for_each_side_at(Index vertex, Visit&& visit) const {
     for (const Index corner : corners(vertex)) {
@@ -289,7 +287,7 @@ class Mesh {
  private:
   /// All that follows from positions and faces. `sides`: none without a metric.
   void connect(const SideLengths& sides, const SideLengths& drifts = {});
-  /// The faces are parts of the given ones.
+  /// Notes for each face which given face it is a part of.
   void count_given_faces(const std::vector<std::array<Index, 3>>& given,
                          const std::vector<Index>& given_face);
   void list_corners();
@@ -311,7 +309,7 @@ class Mesh {
   std::vector<Point> positions_;
   std::vector<std::array<Index, 3>> face_vertices_;
   Index given_face_count_;
-  std::vector<Index> input_face_;  ///< empty if no face was left out
+  std::vector<Index> input_face_;  ///< empty if faces have their given numbers
   std::vector<Index> same_as_;     ///< empty if every vertex stands for itself
   Index first_bridge_ = no_index;  ///< no_index: there is none
   /// A face that was split: its number and its corners.
@@ -349,8 +347,8 @@ class Mesh {
   bool has_positions_ = true;
 };
 
-/// A mesh of other faces, for example parts of those of `mesh`, with a metric of the same kind: in space, or
-/// with the given sides.
+/// A mesh of other faces, for example parts of those of `mesh`, with a metric of the same kind: lengths in
+/// space, or the given sides.
 std::shared_ptr<const Mesh> mesh_in_metric_of(const Mesh& mesh, std::vector<Point> positions,
                                               std::vector<std::array<Index, 3>> faces, SideLengths sides);
 
@@ -374,7 +372,7 @@ struct LengthLimits {
   }
 };
 
-/// Areas are products of four lengths: beyond these they leave the range of doubles.
+/// Squared areas are products of four lengths: beyond these limits they leave the range of doubles.
 inline constexpr LengthLimits exact_lengths{1e-60, 1e60};
 /// Tables hold single precision: distances across the mesh must stay well inside its range.
 inline constexpr LengthLimits index_lengths{1e-28, 1e28};

@@ -428,7 +428,7 @@ void check_gaps(const Mesh& mesh, MeshReport& report) {
   report.components_after_bridging = components_with_faces(bridged);
 }
 
-/// Edges that are not zero, but so short that few digits of the coordinates are theirs.
+/// Edges longer than 0, but so short that the coordinates hold few digits of their length.
 void check_rounding(const Mesh& mesh, MeshReport& report) {
   constexpr double least_units = 1e4;
   for (Index edge = 0; edge < mesh.edge_count(); ++edge) {

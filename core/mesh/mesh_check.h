@@ -21,8 +21,8 @@ struct BorderLoops {
   double longest_length = 0.0;
 };
 
-/// Border vertices that have another border vertex nearer than a tenth of the border edges at both, but no
-/// path along edges to it shorter than one and a half of these: gaps that a program left open, or slits.
+/// Border vertices that have another border vertex nearer than a tenth of the mean border edge at each, but
+/// no path along edges to it of at most one and a half such edges: gaps that a program left open, or slits.
 struct NearBorders {
   Index count = 0;  ///< vertices with such a neighbour
   Index first = no_index;
@@ -54,8 +54,8 @@ struct TJunctions {
   std::array<Index, 2> first_edge{no_index, no_index};  ///< ends of the edge it lies in
 };
 
-/// Vertices count as inside an edge if their distance from it is what rounding to single precision explains.
-/// Edge lengths must be within exact_lengths. Complexity: O(b log b) for b border edges.
+/// Vertices count as inside an edge if their distance from it is no more than rounding to single precision
+/// explains. Edge lengths must be within exact_lengths. Complexity: O(b log b) for b border edges.
 TJunctions find_t_junctions(const Mesh& mesh);
 
 // ---- What a mesh contains that a user should know before trusting distances on it
@@ -87,27 +87,28 @@ struct MeshReport {
   MeshFinding non_manifold_edges;          ///< paths may turn into any of their faces
   MeshFinding non_manifold_vertices;       ///< paths may pass from any face to any other
   MeshFinding inconsistent_edges;          ///< two faces of opposite orientation: no effect
-  MeshFinding rounded_edges;               ///< of which coordinates hold fewer than four digits; by vertex
+  MeshFinding rounded_edges;               ///< whose length has fewer than four digits; first: a vertex
   MeshFinding outliers;                    ///< far from the rest of their component (mesh/outliers.h)
   MeshFinding t_junctions;                 ///< inside a border edge of another face (mesh/mesh_check.h)
   double outlier_ratio = 0.0;              ///< shortest edge from an outlier to the rest, in typical edges
   std::array<Index, 2> first_non_manifold_edge{no_index, no_index};
   std::array<Index, 2> first_t_junction_edge{no_index, no_index};
   Index border_edges = 0;
-  Index components = 0;                        ///< of vertices with a face
+  Index components = 0;                        ///< that have a face
   std::vector<MeshComponent> component_sizes;  ///< most vertices first
-  // The members below keep these values if a vertex is not finite; near_borders and t_junctions also if the
-  // edge lengths are not within exact_lengths.
+  // If a vertex is not finite, the members below (but `gap`), outliers, rounded_edges and t_junctions keep
+  // these values; near_borders, t_junctions and what bridges would join also if the edge lengths are not
+  // within exact_lengths.
   double mean_edge_length = 0.0;
   double longest_edge_length = 0.0;
   BorderLoops border_loops;
   NearBorders near_borders;
-  /// A gap with which all faces are one component, mostly the least; 0 if they are, `unreachable` if none
-  /// would do.
+  /// A gap with which all faces are one component, mostly the least; 0 if they are, `unreachable` if there is
+  /// no such gap.
   double gap_to_join_all = 0.0;
   GapLimit gap;                         ///< the one the report was asked for
   Index joined_borders = 0;             ///< border loops that it joins with others or with themselves
-  Index components_after_bridging = 0;  ///< of vertices with a face
+  Index components_after_bridging = 0;  ///< that have a face
 
   bool fits(const LengthLimits& limits) const { return limits.allow(mean_edge_length, longest_edge_length); }
   /// Whether distances can be computed: false if a Mesh cannot be made from it or it is too large or small.

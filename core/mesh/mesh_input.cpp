@@ -1,4 +1,4 @@
-// Meshes as they are given; weights in a split face, by the lines whose middles its parts have as corners.
+// Meshes as hosts give them; weights in a split face, from the lines whose middles are corners of its parts.
 #include "mesh/mesh_input.h"
 
 #include <algorithm>
@@ -58,7 +58,7 @@ std::optional<SurfacePoint> InputMap::in_face(Index given_face, const std::array
   return in_parts(*first, weights);
 }
 
-/// `first`: of the parts of a given face.
+/// `first`: the first part of a given face.
 SurfacePoint InputMap::in_parts(Index first, const std::array<double, 3>& weights) const {
   constexpr double rounding = 1e-6;
   const bool is_usable = std::abs(weights[0] + weights[1] + weights[2] - 1.0) <= rounding &&
@@ -86,7 +86,7 @@ SurfacePoint InputMap::in_parts(Index first, const std::array<double, 3>& weight
 std::array<double, 3> InputMap::weights_out(Index face, const std::array<double, 3>& weights) const {
   const auto& given = mesh_.given_corners(face);
   if (given == mesh_.face_vertices(face)) return weights;
-  // An added vertex hands half of its weight to each end of its line; these were there before it.
+  // An added vertex hands half of its weight to each end of its line; both ends have smaller numbers.
   std::map<Index, double> of_vertex;
   for (int i = 0; i < 3; ++i) of_vertex[mesh_.face_vertices(face)[i]] += weights[i];
   while (of_vertex.rbegin()->first >= mesh_.given_vertex_count()) {

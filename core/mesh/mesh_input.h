@@ -1,5 +1,4 @@
-// A mesh as it is given, and the way of its numbers and points into the mesh that is measured on and out
-// again.
+// A mesh as a host gives it, and the translation of its numbers and points to the measured mesh and back.
 #pragma once
 
 #include <array>
@@ -14,8 +13,7 @@
 
 namespace vorogeo {
 
-/// What a host gives of a mesh. A face that names one vertex three times holds the place of one that is
-/// masked.
+/// A mesh as a host gives it. A face that names one vertex three times takes the place of a masked one.
 struct MeshInput {
   std::vector<Point> positions;
   std::vector<std::array<Index, 3>> faces;
@@ -23,47 +21,46 @@ struct MeshInput {
   GapLimit gap;
 };
 
-/// The mesh that is measured on: with its gaps bridged, or its metric, for which faces may be split, or both.
+/// The measured mesh: with its gaps bridged, or its metric, for which faces may be split, or both.
 /// \throw InvalidInput, also for gaps of a mesh without positions; Cancelled.
 std::shared_ptr<const Mesh> measured_mesh(MeshInput input);
 
-/// A point by the numbers of those who gave the mesh. What comes out of InputMap has a face with the weights
-/// of its corners, also if it is a vertex, which is then a corner of its first face; no face over a gap.
+/// A point in the numbers of the host. What comes out of InputMap has a face with the weights of its corners,
+/// also at a vertex, which then has its first face; a point inside a bridge has no face.
 struct InputPoint {
   Index vertex = no_index;
   Index face = no_index;
   std::array<double, 3> weights{};
 };
 
-/// Vertices, faces and points by the numbers of those who gave a mesh, on the mesh that is measured on: it
-/// leaves out faces, has some of them in parts, vertices in the middles of edges, and bridges. A view of a
-/// mesh, which must outlive it.
+/// Translates vertices, faces and points between the numbers of the host and those of the measured mesh,
+/// which leaves out faces, splits some of them at added vertices, and has bridges. A view of a mesh, which
+/// must outlive it.
 class InputMap {
  public:
   explicit InputMap(const Mesh& mesh) : mesh_(mesh) {}
 
   /// \throw InvalidInput for a vertex or a face that is not given or was left out; names it. Weights that
-  /// validated() refuses are passed on to it.
+  /// validated() refuses are returned as they are.
   SurfacePoint point_in(const InputPoint& point) const;
   /// The point with these weights in a given face; none if that does not exist or was left out.
   std::optional<SurfacePoint> in_face(Index given_face, const std::array<double, 3>& weights) const;
   InputPoint point_out(const SurfacePoint& point) const;
-  /// The given face that holds a point, the first of those at a vertex that was added; no_index at a vertex
-  /// that was given. \pre The point is not in a bridge.
+  /// The given face that holds a point: the first one at an added vertex, no_index at a given vertex.
+  /// \pre The point is not in a bridge.
   Index face_at(const SurfacePoint& point) const;
-  /// The weights of the corners of the given face in a point that has `weights` in a face that is it or a
-  /// part of it.
+  /// The weights in the given face of the point that has `weights` in `face`, that face or a part of it.
   std::array<double, 3> weights_out(Index face, const std::array<double, 3>& weights) const;
 
-  /// Values of all vertices without those of vertices that were added.
+  /// Values of all vertices, without those of added vertices.
   template <class T>
   std::vector<T> of_vertices(std::vector<T> values) const {
     values.resize(static_cast<std::size_t>(mesh_.given_vertex_count()));
     return values;
   }
-  /// Values of the given vertices, and means of two for those that were added.
+  /// Values of the given vertices, and for each added one the mean of the two ends of its line.
   std::vector<double> on_vertices(std::span<const double> values) const;
-  /// Of each given face that was not left out, itself or the part of it with its centre; without bridges.
+  /// For each given face that was not left out: itself, or the part that holds its centre. Without bridges.
   std::vector<Index> central_parts() const;
   /// Values of faces at the centres of the given ones; `none` where one was left out.
   template <class Values, class T>

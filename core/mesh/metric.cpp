@@ -28,10 +28,10 @@ struct LengthsAlongLines {
   std::vector<Point> place;  ///< by vertex
   /// The length of the line between two vertices, the smaller number first.
   std::function<double(Index, Index)> length;
-  /// Adds what the metric is in the middle of a line, interpolated.
+  /// Adds the value of the metric in the middle of a line, interpolated.
   std::function<void(Index, Index)> add_value;
-  /// The square of how much the metric changes, relative to itself, over the length of the side between the
-  /// first two corners of a face: across the side, which bends shortest paths, and along it.
+  /// The squared relative change of the metric over the length of the side between the first two corners of a
+  /// face: across the side, which bends shortest paths, plus along it.
   std::function<double(Index, Index, Index)> squared_change;
 
   void add_middle(Index a, Index b) {
@@ -60,24 +60,24 @@ bool breaks_triangle(const std::array<double, 3>& sides, double slack) {
   return sides[k] > (sides[(k + 1) % 3] + sides[(k + 2) % 3]) * (1.0 + slack);
 }
 
-/// A triangle inequality that is broken by less is rounding.
+/// A triangle inequality broken by less than this is broken by rounding.
 constexpr double triangle_rounding = 1e-14;
 
-/// Less is rounding, which is not split but shortened.
+/// A face that breaks the triangle inequality by less is not split; its longest side is shortened.
 constexpr double split_slack = 1e-9;
 
-/// A face is split where the metric changes more over the length of its longest side, relative to itself.
-/// With a change d across it, the side is longer than a shortest path by d^2 / 24.
+/// A face is split if the relative change of the metric over the length of its longest side is greater. With
+/// a change d across it, the side is longer than a shortest path by the fraction d^2 / 24.
 constexpr double most_change = 0.1;
 
-/// Squares of changes far above this count alike: paths avoid what is so much dearer.
+/// Squared changes far above this all count the same: paths avoid faces that are so much dearer.
 constexpr double large_squared_change = 3.0;
 
-/// How much sooner faces are split that break the triangle inequality.
+/// Factor by which faces that break the triangle inequality weigh more, so that they are split sooner.
 constexpr double broken_weight = 30.0;
 
-/// No more faces than this many times those given; on small meshes, where time does not matter, than the
-/// second number.
+/// Splitting ends at this many times the given number of faces; on small meshes, where time does not matter,
+/// at the second number.
 constexpr double most_growth = 2.5;
 constexpr double faces_of_small = 3000.0;
 
@@ -105,17 +105,17 @@ class Splitter {
   struct Part {
     std::array<Index, 3> corners;
     Index given_face;
-    Index bisections;  ///< that it took to make it
+    Index bisections;  ///< number that led to this part
   };
   struct Candidate {
     double weight;
     Index part;
-    Index bisections;  ///< fewer than those of the part: it was bisected since
+    Index bisections;  ///< of the part when pushed; outdated if it has more by now
     friend auto operator<=>(const Candidate&, const Candidate&) = default;
   };
 
-  /// Adds a part to the candidates, if the metric varies over it: by the share of its length by which paths
-  /// may err there, and its area, which tells how many of them cross it.
+  /// Makes a part a candidate if the metric varies over it. Its weight is the fraction of their length by
+  /// which paths may err there, times its area, which tells how many paths cross it.
   void push(Index part, Index bisections, const std::array<Index, 3>& corners,
             const std::array<double, 3>& sides) {
     if (!is_usable(corners)) return;
@@ -141,7 +141,7 @@ class Splitter {
     return square > least_square * lengths ? std::sqrt(square) : 0.0;
   }
 
-  /// Makes each given face a part, and a ring of the sides of each edge.
+  /// Makes each given face a part, and links the sides of each edge in a ring.
   void link_all() {
     parts_.reserve(2 * given_.size());
     for (const std::size_t f : checked(given_.size())) {
@@ -164,7 +164,7 @@ class Splitter {
     for (std::size_t i = 0; i < ring.size(); ++i) next_[ring[i]] = ring[(i + 1) % ring.size()];
   }
 
-  /// Splits the longest side of a part, and all parts at it.
+  /// Splits the longest side of a part, and with it all parts at that edge.
   void bisect_at(Index part) {
     const auto& corners = parts_[part].corners;
     const Index first = 3 * part + longest_of(lines_.sides_of(corners));
@@ -195,8 +195,8 @@ class Splitter {
     }
   }
 
-  /// Cuts a part from the middle of a side to its apex. It keeps the beginning of the side. \return the rest
-  /// of the side, in a new part.
+  /// Cuts a part in two, from the middle of a side to its apex. The part keeps the beginning of the side.
+  /// \return the rest of the side, in a new part.
   Index bisect(Index side, Index middle) {
     const Index part = side / 3;
     const int apex = side % 3, begin = (apex + 1) % 3, end = (apex + 2) % 3;
@@ -206,7 +206,7 @@ class Splitter {
     parts_[part].corners[end] = middle;
     parts_[rest].corners[begin] = middle;
     next_.resize(next_.size() + 3);
-    // The side from the end to the apex, opposite the beginning, is one of the rest from now on.
+    // The side from the end to the apex, opposite the beginning, belongs to the new part from now on.
     const Index before = 3 * part + begin, now = 3 * rest + begin;
     Index previous = before;
     while (next_[previous] != before) previous = next_[previous];
@@ -229,7 +229,7 @@ class Splitter {
   std::span<const std::array<Index, 3>> given_;
   LengthsAlongLines& lines_;
   std::vector<Part> parts_;
-  std::vector<Index> next_;  ///< by 3 * part + corner: the next side of the ring of the side opposite it
+  std::vector<Index> next_;  ///< next side in the ring, by 3 * part + opposite corner
   std::priority_queue<Candidate> queue_;
   FaceSplits splits_;
 };
@@ -274,7 +274,7 @@ Index repair_triangles(std::span<const std::array<Index, 3>> faces, SideLengths&
 
 namespace {
 
-/// Relative to its largest entry: rounding of a symmetric product.
+/// A tensor whose asymmetry is at most this part of its largest entry is symmetric up to rounding.
 constexpr double tensor_rounding = 1e-9;
 
 void require_one_for_each(std::size_t values, const char* what, std::size_t elements, const char* names) {
@@ -308,8 +308,8 @@ void require_symmetric(const Tensor& g, const char* element, std::size_t number)
       (finite ? "not symmetric; give G with G[i][k] = G[k][i]." : "not finite; give nine finite numbers."));
 }
 
-/// Where lengths differ much between directions, most digits of the sum cancel in the cheap ones, and needles
-/// get their angles from what is left: a double has too few.
+/// Where lengths differ much between directions, most digits of v' G v cancel in the cheap ones, and the
+/// angles of needles follow from the digits left: a double has too few.
 using Step = std::array<long double, 3>;
 
 Step edge_vector(std::span<const Point> positions, Index a, Index b) {
@@ -326,8 +326,8 @@ long double form(const Tensor& g, const Step& u, const Step& v) {
   return sum;
 }
 
-/// Lengths of the sides of all faces that name three vertices. Lines are named by the smaller vertex first,
-/// so that both faces of an edge compute the same.
+/// Lengths of the sides of all faces that name three vertices. Lines are measured from the smaller vertex, so
+/// that both faces of an edge get the same length.
 Metric lengths_of_sides(std::span<const std::array<Index, 3>> faces, LengthsAlongLines& lines) {
   Metric result;
   result.sides.assign(faces.size(), {});
@@ -434,8 +434,8 @@ Metric lengths_by_tensor(std::span<const Point> positions, std::span<const std::
     };
     const long double uu = mean(u, u), uw = mean(u, w), ww = mean(w, w);
     if (!(uu > 0.0L)) return 0.0;
-    // The line from a to b is as far from a geodesic as Christoffel's symbols say, of the metric that is
-    // linear over the face: of the first kind, along u and w.
+    // How much the line from a to b deviates from a geodesic follows from the Christoffel symbols of the
+    // first kind, along u and w, of the metric that is linear over the face.
     const long double along = 0.5L * (form(at_b, u, u) - form(at_a, u, u));
     const long double aside =
         form(at_b, u, w) - form(at_a, u, w) - 0.5L * (form(at_apex, u, u) - form(at_a, u, u));
@@ -489,7 +489,7 @@ SideLengths sides_by_face_tensor(std::span<const Point> positions,
 
 SideLengths drifts_by_face(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
                            const SideLengths& sides, std::span<const Point> drifts) {
-  // Of the product of two sides: below, the height of a needle is hardly determined by them.
+  // If twice the area is a smaller part of the product of two sides, they hardly determine a needle's height.
   constexpr double thin = 1e-5;
   require_one_for_each(drifts.size(), "drifts", faces.size(), "faces");
   SideLengths along(faces.size(), {0.0, 0.0, 0.0});
@@ -508,8 +508,8 @@ SideLengths drifts_by_face(std::span<const Point> positions, std::span<const std
       gain[i] = w[0] * side[0] + w[1] * side[1] + w[2] * side[2];
       along[f][i] = static_cast<double>(gain[i]);
     }
-    // Of the shortest side and another from the same corner: the products of both long sides of a needle
-    // differ by rounding.
+    // The norm is computed from the shortest side and another at the same corner: with both long sides of a
+    // needle, the difference aa bb - ab^2 would be rounding.
     const auto first = std::ranges::min_element(sides[f]) - sides[f].begin();
     const auto second = (first + 2) % 3;
     const std::array<long double, 3> side{sides[f][first], sides[f][(first + 1) % 3], sides[f][second]};
@@ -532,8 +532,8 @@ SideLengths drifts_by_face(std::span<const Point> positions, std::span<const std
     const double difference = (sides[f][before] - sides[f][next]) * (sides[f][before] + sides[f][next]);
     const double foot = std::clamp(0.5 + 0.5 * difference / (whole * whole), 0.0, 1.0);
     const double at_foot = -foot * along[f][longest];
-    // A drift of a norm below 1 gains less across than there is height; more comes from rounding, and the
-    // drift is that along the longest side, at the foot of the apex.
+    // A drift of norm below 1 adds less across the longest side than the height of the face. More comes from
+    // rounding; then the apex gets what the drift along the longest side adds up to the apex's foot.
     if (std::abs(along[f][before] - at_foot) <= no_height * std::sqrt(sides[f][first] * whole)) continue;
     along[f][before] = at_foot;
     along[f][next] = -along[f][longest] - along[f][before];
@@ -588,7 +588,7 @@ std::vector<Tensor> bend_tensors(std::span<const Point> positions,
     const auto [a, b] = ends;
     const Point along = minus(positions[b], positions[a]);
     const Point edge = unit_of(along);
-    // Directions in both faces away from the edge: opposite on a plane.
+    // Directions away from the edge in both faces: opposite to each other if these lie in one plane.
     auto away = [&](Index v) {
       const Point aside = minus(positions[v], positions[a]);
       return unit_of(moved(aside, -dot(aside, edge), edge));
@@ -682,7 +682,7 @@ std::vector<Tensor> curvature_tensors(std::span<const Point> positions,
   const auto bends = over_neighbours(bend_tensors(positions, faces), faces);
   std::vector<Tensor> tensors(positions.size(), Tensor{1, 0, 0, 0, 1, 0, 0, 0, 1});
   for (std::size_t v = 0; v < tensors.size(); ++v) {
-    // In the plane of the vertex: two directions across the normal.
+    // u and w span the tangent plane of the vertex.
     const Point& n = normals[v];
     const Point axis = std::abs(n[0]) < 0.6 ? Point{1, 0, 0} : Point{0, 1, 0};
     const Point u = unit_of(cross(n, axis));
@@ -700,7 +700,7 @@ std::vector<Tensor> curvature_tensors(std::span<const Point> positions,
     const double one = std::abs(mean + spread);
     const double two = std::abs(mean - spread);
     if (!(one + two > 0.0)) continue;
-    // Direction of the eigenvalue mean + spread; the other one is across.
+    // Direction of the eigenvalue mean + spread; the other one is perpendicular to it.
     double angle = 0.5 * std::atan2(2.0 * uw, uu - ww);
     if ((one < two) != (weight < 0.0)) angle += std::acos(0.0);
     const double strength = std::abs(weight) * std::abs(one - two) / (one + two);
@@ -715,16 +715,16 @@ std::vector<Tensor> curvature_tensors(std::span<const Point> positions,
 
 namespace {
 
-/// Sides of one edge that are this many times apart turn paths.
+/// Paths turn at an edge if its lengths in two faces differ by more than this factor.
 constexpr double side_jump = 1.5;
 
-/// Of the edges between two faces. If fewer jump, few crossings have errors.
+/// Fraction of the edges between faces. If fewer jump, few crossings have errors.
 constexpr double jumping_share = 0.1;
 
-/// For a mean error of about half a percent.
+/// Points on an edge for each unit of stretch, for a mean error of about half a percent.
 constexpr double points_per_stretch = 2.5;
 
-/// Twice the area of a face, in parts of the square of its longest side: less is rounding.
+/// If twice the area of a face is a smaller part of the square of its longest side, it is rounding.
 constexpr double no_area = 1e-7;
 
 double least_area(const std::array<double, 3>& sides) {
@@ -737,10 +737,10 @@ double least_area(const std::array<double, 3>& sides) {
 double stretch_of(const std::array<double, 3>& sides, const std::array<double, 3>& in_space) {
   const double area_in_space = twice_area(in_space);
   if (!(area_in_space > least_area(in_space))) return 1.0;
-  // Where stretches leave rounding of the area, they are at least those that this one gives.
+  // Where a stretch leaves nothing of the area but rounding, the least area gives a lower bound of it.
   const double area = std::max(twice_area(sides), least_area(sides));
   // The squared lengths of two sides and their product, in either metric: the ratio of the eigenvalues of one
-  // in the other follows from trace and determinant.
+  // relative to the other follows from trace and determinant.
   auto form = [](const std::array<double, 3>& s) {
     const double first = s[1] * s[1];
     const double second = s[2] * s[2];

@@ -19,9 +19,9 @@ using Tensor = std::array<double, 9>;
 /// the cost along it, which is its length times the mean cost of its ends.
 ///
 /// Faces over which the cost varies are bisected, those first that add most to errors, up to a limit. Where
-/// an edge still costs more than the other two sides together, it gets the length of the two. An infinite
-/// cost makes the faces at its vertex impassable. \throw InvalidInput for a cost that is not above 0, but at
-/// vertices without faces, or another number of costs than vertices.
+/// an edge still costs more than the other two sides together, it gets their sum. An infinite cost makes the
+/// faces at its vertex impassable. \throw InvalidInput for a cost that is not above 0 (except at vertices
+/// without faces), or another number of costs than vertices.
 Metric lengths_by_cost(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
                        std::span<const double> cost);
 
@@ -34,19 +34,19 @@ Metric lengths_by_cost(std::span<const Point> positions, std::span<const std::ar
 Metric lengths_by_tensor(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
                          std::span<const Tensor> tensors);
 
-/// The sides of each face in a norm of its own, which jumps at edges: two faces of an edge need not agree.
+/// Side lengths of each face in a norm of its own. Such a metric jumps: two faces of an edge need not agree.
 ///
-/// A cost for each face: sides times cost, infinite where it is impassable. A tensor for each: roots of
-/// v' G v. \throw InvalidInput as above, by faces instead of vertices.
+/// With a cost for each face: lengths in space times the cost, infinite where it is impassable. With a tensor
+/// for each face: roots of v' G v. \throw InvalidInput as above, by faces instead of vertices.
 SideLengths sides_by_face_cost(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
                                std::span<const double> cost);
 SideLengths sides_by_face_tensor(std::span<const Point> positions,
                                  std::span<const std::array<Index, 3>> faces,
                                  std::span<const Tensor> tensors);
 
-/// What a step gains or loses in each face besides its length: w . v, for a vector w of the face, such as a
-/// wind. Along the sides, as Metric takes it. \throw InvalidInput for a vector that is not finite, or one
-/// whose norm is not below 1 in the lengths of the face (some step would cost nothing or less), by face.
+/// Drifts for a Metric, along the sides: in each face, a step v costs w . v besides its length, for a vector
+/// w of the face, such as a wind. \throw InvalidInput for a vector that is not finite, or one whose norm is
+/// not below 1 in the lengths of the face (some step would cost nothing or less); names the face.
 SideLengths drifts_by_face(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
                            const SideLengths& sides, std::span<const Point> drifts);
 
@@ -64,8 +64,8 @@ Point along_face(std::span<const Point> positions, const std::array<Index, 3>& f
 std::vector<double> slope_cost(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
                                const Point& up, double penalty);
 
-/// The grade of each face where it is steepest: rise by length on the map, infinite for a wall. Of a face
-/// without area: of its longest side. \throw InvalidInput for a direction of length 0.
+/// The grade of each face where it is steepest: rise by length on the map, infinite for a wall. In a face
+/// without area, the grade of its longest side. \throw InvalidInput for a direction of length 0.
 std::vector<double> grades_of(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
                               const Point& up);
 
@@ -81,19 +81,19 @@ std::vector<Tensor> curvature_tensors(std::span<const Point> positions,
 
 // ---- How many points on each edge a metric of face tensors needs
 
-/// Points on each edge for sides by tensors of faces: the usual ones, and more where many
-/// faces stretch lengths in different directions. There, a crossing that is off by a part of its edge costs
-/// the path up to that part times the stretch. \throw InvalidInput where more than `most_edge_points` would
-/// be needed; names the face, its stretch and the lengths of its sides.
+/// How many points each edge needs if sides follow from tensors of faces: `usual_edge_points`, and more where
+/// many faces stretch lengths in different directions. There, a crossing that is off by a fraction of its
+/// edge lengthens the path by up to that fraction times the stretch. \throw InvalidInput where more than
+/// `most_edge_points` would be needed; names the face, its stretch and the lengths of its sides.
 Index edge_points_for(std::span<const Point> positions, std::span<const std::array<Index, 3>> faces,
                       const SideLengths& sides);
 
-/// How many times longer the longest step of a unit of length is in a face with these sides than the
-/// shortest; 1 for faces that have no width in space. Those of over some 1e7, which sides of double precision
-/// do not tell apart, come out as that or more. `in_space`: its sides there.
+/// The stretch of a face with these sides: the greatest length of a step that is one unit long in space,
+/// divided by the least; 1 for faces without width in space. Stretches above some 1e7, which sides in double
+/// precision do not tell apart, come out as 1e7 or more. `in_space`: the sides in space.
 double stretch_of(const std::array<double, 3>& sides, const std::array<double, 3>& in_space);
 
-/// More are not chosen without being asked for: time and memory grow with them.
+/// The most points that are chosen automatically: time and memory grow with them.
 inline constexpr Index most_edge_points = 300;
 
 }  // namespace vorogeo

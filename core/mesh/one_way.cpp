@@ -103,7 +103,7 @@ struct Slope {
   double grade;
 };
 
-/// What a unit of length straight up (way 1) or down (-1) each slope costs, or by zigzags at a gentler grade.
+/// The cost of a unit of length straight up (way 1) or down (-1) each slope, or by cheaper zigzags.
 std::vector<double> costs_of_climbs(const CostOfGrade& pace, std::span<const Slope> slopes, double way) {
   constexpr std::size_t count = 60001;
   constexpr double least_grade = 1e-3, greatest_grade = 1e3;
@@ -112,7 +112,7 @@ std::vector<double> costs_of_climbs(const CostOfGrade& pace, std::span<const Slo
     gentler[i] =
         way * least_grade * std::pow(greatest_grade / least_grade, static_cast<double>(i) / (count - 1));
   }
-  // By unit of height, at a grade of the list or a gentler one.
+  // The least cost of a unit of height at each grade of the list or a gentler one.
   std::vector<double> least = checked_costs(pace, gentler);
   for (std::size_t i = 0; i < count; ++i) {
     gentler[i] *= way;

@@ -7,15 +7,15 @@
 
 namespace vorogeo {
 
-/// The half-edge beside another one, where an edge has two faces; otherwise no_index.
+/// The half-edge of the same edge in the other face, if the edge has two faces; otherwise no_index.
 inline Index other_side(const Mesh& mesh, Index halfedge) {
   const Index other = mesh.next_around_edge(halfedge);
   return other != halfedge && mesh.next_around_edge(other) == halfedge ? other : no_index;
 }
 
-/// By face, whether it is turned against most of those that it hangs together with over edges of two faces.
-/// Turned over, two faces run along their edge in opposite directions, but where the surface has one side
-/// only. Complexity: O(faces).
+/// By face, whether its orientation is opposite to that of most faces connected with it across edges of two
+/// faces. With the turned faces flipped, two faces run along their edge in opposite directions, except on
+/// one-sided surfaces. Complexity: O(faces).
 std::vector<bool> turned_faces(const Mesh& mesh);
 
 }  // namespace vorogeo

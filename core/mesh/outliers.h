@@ -29,10 +29,10 @@ struct Outliers {
   /// Outliers that share an edge are in one group.
   std::vector<Index> group;
   std::vector<Index> group_size;
-  Index count = 0;         ///< outliers
+  Index count = 0;         ///< number of outliers
   Index first = no_index;  ///< the first of them
-  /// By vertex: the first of the vertices that are connected to it by edges that are not far longer, and how
-  /// many these are; empty if no edge is.
+  /// By vertex, its piece: the vertices connected to it by edges that are not far longer, named by the first
+  /// of them, and their number; empty if no edge is far longer.
   std::vector<Index> piece;
   std::vector<Index> piece_size;
   double least_ratio = 0.0;  ///< shortest edge between outliers and others, in typical edges
@@ -43,8 +43,8 @@ struct Outliers {
 
 /// An edge longer than this many typical edges is far longer than the typical one.
 inline constexpr double outlier_edges = 100.0;
-/// Outliers exist only where one of the pieces that edges up to that length connect has at least this
-/// fraction of its component's vertices: a mesh may also consist of fine parts joined by long edges.
+/// A component has outliers only if one of its pieces, connected by edges up to that length, has at least
+/// this fraction of its vertices: a mesh may also consist of fine parts joined by long edges.
 inline constexpr double least_rest = 0.75;
 
 /// Complexity: O(n + edges) up to a slowly growing factor; O(1) if no edge is that long.

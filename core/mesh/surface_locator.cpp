@@ -136,7 +136,7 @@ std::string in_words(const Point& point) {
   return text.str();
 }
 
-/// Without those of bridges. \throw InvalidInput for a mesh that has no points in space.
+/// Boxes of all faces but bridges. \throw InvalidInput for a mesh that has no points in space.
 std::vector<Box> boxes_of_faces(const Mesh& mesh) {
   if (mesh.face_count() == 0) throw InvalidInput("The mesh has no face to which a point could be moved.");
   if (!mesh.has_positions()) {
@@ -222,7 +222,7 @@ double SurfaceLocator::ray_length(const SurfacePoint& from, const Point& directi
       least = std::max(least, rounding * distance_between(mesh_->position(v), origin));
     }
   });
-  // Boxes of faces along the axes have no thickness; NaN: the ray passes beside it.
+  // Boxes of faces perpendicular to an axis have no thickness, hence the slack. NaN: the ray misses the box.
   const double slack = 1e-12 * length_of(minus(tree_.bounds().high, tree_.bounds().low));
   const auto entry = [&](const Box& box) {
     double first = 0.0, last = unreachable;

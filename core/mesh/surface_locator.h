@@ -32,8 +32,8 @@ struct Box {
   }
 };
 
-/// Boxes that are split at the median of their longest side. It keeps no items, only their order: whoever
-/// asks says how far away a box is. Items are named by their places in the list. Immutable.
+/// A tree of boxes, each split at the median of its longest side. It holds the order of the items, not the
+/// items: the caller measures the distances of boxes. Items are named by their indices. Immutable.
 class BoxTree {
  public:
   struct SkipNone {
@@ -42,15 +42,15 @@ class BoxTree {
 
   explicit BoxTree(const std::vector<Box>& items);
 
-  /// Around all items. \pre There is one.
+  /// The box around all items. \pre There is an item.
   const Box& bounds() const { return nodes_.front().bounds; }
   std::size_t memory_bytes() const {
     return order_.capacity() * sizeof(Index) + nodes_.capacity() * sizeof(Node);
   }
 
-  /// Calls visit(item) for the items of the leaves whose boxes are within reach, nearer halves first: `reach`
-  /// at first, then what visit last returned, below 0 to stop. distance(box): in any measure. Nodes for which
-  /// skip(node) holds are passed over.
+  /// Calls visit(item) for the items of the leaves whose boxes are within reach, nearer halves first. The
+  /// reach is `reach` at first, then what visit last returned; below 0 ends the search. distance(box) may be
+  /// in any measure. Nodes for which skip(node) holds are passed over.
   template <class Distance, class Visit, class Skip = SkipNone>
   void search(double reach, Distance&& distance, Visit&& visit, const Skip& skip = {}) const {
     if (order_.empty()) return;
@@ -72,8 +72,8 @@ class BoxTree {
     }
   }
 
-  /// The same by the distances of boxes in space, box_of(item) being those of the items: calls visit(item)
-  /// for those within reach of a box, at most `max_visits` times.
+  /// The same with distances of boxes in space: calls visit(item) for items whose box, box_of(item), is
+  /// within reach of the box `around`, at most `max_visits` times.
   template <class BoxOf, class Visit, class Skip = SkipNone>
   void visit_near(const Box& around, double reach, int max_visits, BoxOf&& box_of, Visit&& visit,
                   const Skip& skip = {}) const {
@@ -125,12 +125,12 @@ class SurfaceLocator {
   /// \throw InvalidInput for a mesh without faces. Complexity: O(m log m).
   explicit SurfaceLocator(std::shared_ptr<const Mesh> mesh);
 
-  /// The nearest point of the surface, which is not on a bridge over a gap, moved to a vertex or an edge if
-  /// it differs from it only by rounding; for a distant point, one whose distance differs from the least only
-  /// by rounding. Of several faces equally near, the one with the lowest number: where sheets coincide (the
-  /// two sides of a slit, doubled vertices), all points there are moved to the same sheet, and the other can
-  /// only be named by vertex or face numbers. \throw InvalidInput for a coordinate that is not finite or
-  /// above 1e307; names the point. Complexity: O(log m) for points near the surface.
+  /// The nearest point of the surface without bridges over gaps, moved to a vertex or an edge that it misses
+  /// only by rounding; for a distant point, one whose distance exceeds the least only by rounding. Of several
+  /// faces equally near, the one with the lowest number: where sheets coincide (the two sides of a slit,
+  /// doubled vertices), all points there are moved to the same sheet, and the other can only be named by
+  /// vertex or face numbers. \throw InvalidInput for a coordinate that is not finite or above 1e307; names
+  /// the point. Complexity: O(log m) for points near the surface.
   SnappedPoint nearest(const Point& point) const;
   /// How far a ray from a point of the surface, in a direction of length 1, runs to the first face that does
   /// not hold the point; `unreachable` if it meets none. Complexity: O(log m) for most rays.

@@ -36,11 +36,10 @@ struct SurfacePoint {
 SurfacePoint validated(const Mesh& mesh, const SurfacePoint& point);
 
 /// The one representation of a validated point, however it was given: a point on an edge is stored in the
-/// first of the edge's faces. So two points are the same (up to rounding of their weights) only if their
-/// numbers are.
+/// first of the edge's faces. So the same point has the same members, up to rounding of its weights.
 SurfacePoint canonical(const Mesh& mesh, const SurfacePoint& point);
 
-/// The point of an edge at a fraction of it, 0 to 1 from its first vertex; a vertex at its ends.
+/// The point at a fraction (0 to 1) of an edge from its first vertex; at the ends, the vertex.
 SurfacePoint point_on_edge(const Mesh& mesh, Index edge, double fraction);
 
 /// Distances of a point from the corners of its face, straight through the face. \pre It is not a vertex.
@@ -55,7 +54,7 @@ inline Index component_of(const Mesh& mesh, const SurfacePoint& point) {
 Point position_of(const Mesh& mesh, const SurfacePoint& point);
 std::vector<Point> positions_of(const Mesh& mesh, std::span<const SurfacePoint> points);
 
-/// Of a metric that goes one way (Mesh::potential), linear over each face.
+/// `Mesh::potential` at a point, interpolated linearly over its face.
 double potential_at(const Mesh& mesh, const SurfacePoint& point);
 
 /// Barycentric weights of a point in a face that holds it. \return false if the face does not hold it.
@@ -130,11 +129,11 @@ PointList points_on(const Mesh& mesh, const PointList& points, const char* role)
 std::array<double, 3> distances_in_triangle(const std::array<double, 3>& length,
                                             const std::array<double, 3>& weights);
 
-/// Distance of that point where the corners have these distances from one source: the shortest of the paths
-/// through a corner and of those that enter through an edge, which are straight lines from where the
-/// distances of the edge's ends place the source in the plane. Where the third corner is farther than such a
-/// wave would put it, the difference is interpolated linearly. Exact where the wave of a single point crosses
-/// a face; elsewhere an interpolation. Infinite corners are left out; `unreachable` if all are.
+/// Distance of that point if the corners have these distances from one source: the least over paths through a
+/// corner and over straight lines through an edge, from where the distances of its ends place the source in
+/// the plane. If the third corner is farther from the source than it is from that place, the difference is
+/// interpolated linearly. Exact where the wave of a single point crosses the face; elsewhere an
+/// interpolation. Infinite corners are left out; `unreachable` if all are.
 double distance_in_triangle(const std::array<double, 3>& length, const std::array<double, 3>& weights,
                             const std::array<double, 3>& corner_distance);
 

@@ -23,11 +23,10 @@ struct VcgMeshArrays {
   std::vector<Index> vertex_of_input;  ///< one entry per entry of mesh.vert; no_index for a deleted vertex
   std::vector<Index> input_of_vertex;  ///< index in mesh.vert
   std::vector<Index> input_of_face;    ///< index in mesh.face
-  Metric metric;                       ///< the one chosen
+  Metric metric;                       ///< set by the caller
 };
 
-/// The vertex of `mesh` that a corner of a face names, by its index in mesh.vert; no_index if it is none of
-/// them.
+/// The index in mesh.vert of the vertex that a corner of a face names; no_index if it is not in mesh.vert.
 template <class VcgMesh>
 Index index_of_corner(const VcgMesh& mesh, std::size_t face, int corner) {
   const auto* first = mesh.vert.data();
@@ -44,10 +43,10 @@ Point position_of(const VcgVertex& vertex) {
   return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
 }
 
-/// Copies positions (as doubles, at `place` of each) and connectivity. The mesh may hold deleted elements; it
-/// is not changed. \throw InvalidInput if a coordinate is NaN or infinite, or a face names no vertex, a
-/// deleted one or one of another mesh; the message names the vertex or face by its index in mesh.vert or
-/// mesh.face.
+/// Copies positions (as doubles, each mapped by `place`) and connectivity. The mesh may hold deleted
+/// elements; it is not changed. \throw InvalidInput if a coordinate is NaN or infinite, or a face names no
+/// vertex, a deleted one or one of another mesh; the message names the vertex or face by its index in
+/// mesh.vert or mesh.face.
 template <class VcgMesh, class Place = std::identity>
 VcgMeshArrays arrays_from_vcg(const VcgMesh& mesh, Place&& place = {}) {
   VcgMeshArrays arrays;

@@ -23,7 +23,7 @@ inline Point moved(const Point& a, double t, const Point& d) {
   return {a[0] + t * d[0], a[1] + t * d[1], a[2] + t * d[2]};
 }
 inline double length_of(const Point& p) { return std::hypot(p[0], p[1], p[2]); }
-/// The point of the segment from a to b that is nearest to p, as the part of the way to b.
+/// The point of the segment from a to b that is nearest to p, as a fraction of the way to b.
 inline double along_segment(const Point& p, const Point& a, const Point& b) {
   const Point ab = minus(b, a);
   const double square = dot(ab, ab);
