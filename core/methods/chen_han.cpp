@@ -20,7 +20,7 @@ namespace {
 /// rounding.
 constexpr double least_width = 1e-12;
 constexpr double least_gain = 1e-13;
-/// Entries this near (in parts of the edge) are one.
+/// Rays that cross an edge this close to each other (in parts of the edge) cross it at one point.
 constexpr double tied_entries = 1e-9;
 /// Longer by more than rounding.
 bool is_longer(double a, double b) { return a > b * (1.0 + 1e-12); }
@@ -114,7 +114,7 @@ void WindowTree::run(std::span<const Index> sources, const TreeRules& rules) {
     } else {
       const TreeWindow window = pool_[event.item];
       free_.push_back(event.item);
-      // Its vertex has been reached by a shorter path since, and has sent out other windows.
+      // If its root was reached by a shorter path since, this has emitted other windows.
       if (is_longer(window.offset, distance_[window.root]) || is_trimmed(window)) continue;
       cross(window);
     }
@@ -207,8 +207,8 @@ void WindowTree::cross(const TreeWindow& window) {
       apex_distance_[h] = total;
       apex_entry_[h] = entry;
     }
-    // Beyond an edge of more than two faces, what is nearer may have come by another of these, and crosses
-    // no ray of this window.
+    // Beyond an edge of more than two faces, the nearer window may have come through another face, so that it
+    // crosses no ray of this one.
     for (const bool left : {true, false}) {
       if (wins || window.branched || keeps_side(h, left, entry))
         hand_on(window, left, entry, true, plane_distance);
@@ -224,15 +224,15 @@ bool WindowTree::keeps_side(Index halfedge, bool left, double entry) const {
   return left ? entry < nearest + tie : entry > nearest - tie;
 }
 
-/// Whether a window belongs to the subtree that goes when another one reaches the apex first: what was handed
-/// on to the side that is no longer kept. Looked up when its turn comes, at the last split alone.
+/// Whether a window belongs to a subtree that is cut off because another window reaches the apex first: one
+/// on the side that is no longer kept. Checked when the window's turn comes, and for its last split only.
 bool WindowTree::is_trimmed(const TreeWindow& window) const {
   const Index h = window.split_at;
   return h != no_index && is_longer(window.split_distance, apex_distance_[h]) &&
          !keeps_side(h, window.split_left, window.split_entry);
 }
 
-/// To the side at the tail (left) or at the head of the window's half-edge.
+/// Hands a window on to the side at the tail (left) or at the head of its half-edge.
 void WindowTree::hand_on(const TreeWindow& window, bool left, double entry, bool to_apex,
                          double apex_distance) {
   const Index h = window.halfedge;
@@ -269,10 +269,10 @@ void WindowTree::hand_on(const TreeWindow& window, bool left, double entry, bool
     child.split_distance = window.offset + apex_distance;
   }
   // One angle, one split does not hold behind an edge of more than two faces, and windows have children in
-  // all of them: without the filter, there are as many as ways round.
+  // all of them: without the filter, there would be one for each sequence of faces.
   child.branched = window.branched || has_more_than_two_faces(mesh_, side);
   if (rules_.filtered || child.branched) {
-    // The third vertex lies at (crossed, 0), the window's beginning at that part of the line to the apex.
+    // The third vertex lies at (crossed, 0), the window's beginning on the line from (0, 0) to the apex.
     const double part = child.begin / whole;
     const double to_third = std::hypot(crossed - part * ax, part * ay);
     if (is_overtaken(child, whole, {origin, mesh_.apex(h), third}, to_third)) return;
@@ -282,7 +282,8 @@ void WindowTree::hand_on(const TreeWindow& window, bool left, double entry, bool
 
 bool WindowTree::is_overtaken(const TreeWindow& window, double whole, const std::array<Index, 3>& corners,
                               double to_third) const {
-  // Each ray of the window meets the straight line from such a vertex to the other end of the window.
+  // Each ray of the window meets the straight line from one of these vertices to the window's opposite end,
+  // so a shorter path over the vertex overtakes them all.
   const auto [origin, apex, third] = corners;
   const double at_begin = window.offset + std::hypot(window.begin - window.x, window.y);
   const double at_end = window.offset + std::hypot(window.end - window.x, window.y);

@@ -20,8 +20,8 @@ struct TreeRules {
   bool bends = true;  ///< paths go on from saddle vertices; else geodesics from the sources alone are found
   /// The run ends when so many vertices beside the sources are final.
   Index max_vertices = std::numeric_limits<Index>::max();
-  /// Above 0: what a detour over a vertex beside it reaches with this relative excess is left out
-  /// (graph_methods.cpp).
+  /// Above 0: windows and vertices are left out where a detour over a vertex beside them is good enough for
+  /// this expected relative error (graph_methods.cpp).
   double epsilon = 0.0;
 };
 
@@ -34,27 +34,27 @@ class WindowTree {
   void run(std::span<const Index> sources, const TreeRules& rules);
 
   double distance(Index vertex) const { return distance_[vertex]; }
-  /// Vertices in the order in which they were taken up, the sources among them.
+  /// Vertices in the order in which they were settled, the sources among them.
   std::span<const Index> settled() const { return settled_; }
-  /// Whether no detour over a vertex beside it stands for the path to a vertex (with epsilon).
+  /// Whether the path to a vertex has no detour over a vertex beside it that is good enough (with epsilon).
   bool is_needed(Index vertex) const { return needed_[vertex] != 0; }
   std::size_t window_count() const { return made_; }
   std::size_t bytes() const;
 
  private:
-  /// The part [begin, end] of a half-edge's edge, seen from a vertex: positions along the edge count from the
-  /// tail of the half-edge, whose face is entered; the pseudo-source lies `y` on the other side.
+  /// A window: the part [begin, end] of the edge of a half-edge, whose face is entered next. Positions along
+  /// the edge count from the half-edge's tail; the pseudo-source lies at `x`, and `y` away on the other side.
   struct TreeWindow {
     double begin, end;
     double x, y;
     double offset;                        ///< of the pseudo-source
-    double begin_critical, end_critical;  ///< how far away the vertices are that bound it on its end rays
-    double greatest;                      ///< beyond this distance detours over these stand for it
+    double begin_critical, end_critical;  ///< distances of the vertices that bound it, along its end rays
+    double greatest;                      ///< beyond this distance, detours over these are good enough
     Index halfedge;
     Index root;
     Index level;
-    /// The half-edge at which the last of the windows before it was split at the ray to the apex. Which part
-    /// this one is of, where that ray entered, and how far away the apex was along it.
+    /// The last half-edge at which an ancestor was split at the ray to the apex; on which side of the ray
+    /// this window lies, where the ray crosses the edge, and the distance of the apex along it.
     Index split_at;
     bool split_left;
     /// Whether an edge of more than two faces lies between its root and its edge, or is that edge.
@@ -94,7 +94,7 @@ class WindowTree {
   std::vector<std::uint8_t> is_settled_;
   std::vector<std::uint8_t> needed_;
   std::vector<Index> touched_;
-  /// By half-edge: the least distance of the apex through it, and where that path enters the edge.
+  /// By half-edge: the least distance of the apex through it, and where that path crosses the edge.
   std::vector<double> apex_distance_;
   std::vector<double> apex_entry_;
   std::vector<Index> touched_halfedges_;

@@ -32,7 +32,7 @@ struct GraphArc {
 /// Dijkstra's search over an undirected graph that was made once.
 class GraphMethod final : public GeodesicMethod {
  public:
-  /// Arcs in either direction; those of one pair of vertices become one, the shortest, in both.
+  /// Arcs may be given in either direction; of those between two vertices the shortest is kept, in both.
   GraphMethod(std::shared_ptr<const Mesh> mesh, std::vector<GraphArc> arcs)
       : GeodesicMethod(std::move(mesh), "Shortest paths in a graph"), arcs_(std::move(arcs)) {
     const std::size_t given = arcs_.size();
@@ -61,7 +61,7 @@ class GraphMethod final : public GeodesicMethod {
   }
   double solve_pair(Index source, Index target) override { return search({&source, 1}, target)[target]; }
 
-  /// With a target it ends when that one's distance is final; others are upper bounds then.
+  /// With a target, it ends when the target's distance is final; other distances are then upper bounds.
   std::vector<double> search(std::span<const Index> sources, Index target) const {
     VertexSearch open(mesh().vertex_count(), sources);
     for (Index v = open.settle_next(); v != no_index && v != target; v = open.settle_next()) {
@@ -78,11 +78,11 @@ class GraphMethod final : public GeodesicMethod {
 
 // ---- A graph of direct geodesics: a search around each vertex
 
-/// Vertices that one item of the work takes.
+/// Vertices per item of work.
 constexpr Index vertices_per_item = 64;
 
-/// Arcs from each vertex to those that a run of a WindowTree with these rules takes up (with an epsilon: and
-/// needs), on all threads.
+/// Arcs from each vertex to those that a run of a WindowTree with these rules settles (and needs, with an
+/// epsilon), on all threads.
 std::unique_ptr<GeodesicMethod> direct_geodesics(const std::shared_ptr<const Mesh>& mesh,
                                                  const TreeRules& rules, const Progress& progress) {
   const auto geometry = std::make_shared<const ExactGeometry>(mesh);
@@ -135,12 +135,12 @@ MethodEntry dijkstra_entry() {
           }};
 }
 
-// ---- Which direct geodesics a graph needs: those that no detour over a vertex beside them stands for
+// ---- Which direct geodesics a graph needs: those without a good enough detour over a vertex beside them
 
 namespace {
 
-/// A path of the graph goes round many corners, and only the worst direction between two vertices has the
-/// excess that is allowed: the mean excess is that small a part of it.
+/// Only the worst direction between two vertices has the excess that is allowed. A path of the graph bends at
+/// many vertices, and its mean excess is smaller by this factor.
 constexpr double worst_to_mean = 2.25;
 
 }  // namespace
@@ -281,7 +281,7 @@ class ShortTermVectors final : public GeodesicMethod {
 
   std::vector<double> solve(std::span<const Index> sources, const Progress&) override {
     VertexSearch search(mesh().vertex_count(), sources);
-    // The spoke by which a vertex is reached from the one before: no_spoke at sources.
+    // The spoke by which a vertex is reached from its predecessor: no_spoke at sources.
     std::vector<std::size_t> reached_by(is_disk_.size(), no_spoke);
     std::vector<Index> before(is_disk_.size(), no_index);
     for (Index v = search.settle_next(); v != no_index; v = search.settle_next()) {
@@ -304,7 +304,7 @@ class ShortTermVectors final : public GeodesicMethod {
     const Index edge = mesh().edge_of(side);
     const auto [a, b] = mesh().edge_vertices(edge);
     // Angles grow from the corner's own edge to the other one along the orientation of the corner's face; the
-    // first face of the edge may be oriented the other way, which shows where both run along the edge alike.
+    // first face of the edge may be oriented the other way, which shows if both run along the edge one way.
     const Index first = mesh().edge_halfedge(edge);
     const bool alike = first == side || mesh().tail(first) != mesh().tail(side);
     spokes_.push_back({a == v ? b : a, mesh().edge_length(edge), angle, own != alike});
@@ -324,7 +324,7 @@ class ShortTermVectors final : public GeodesicMethod {
     double x = 0.0;
     double y = 0.0;
     double direction = 0.0;  // of the edge that leaves the vertex looked at, towards w
-    double sense = 1.0;      // in which angles at it grow
+    double sense = 1.0;      // in which angles at that vertex grow
     Index at = v;
     const Spoke* out = &last;
     for (int i = 1; i < memory_ && is_disk_[at] != 0 && before[at] != no_index; ++i) {

@@ -100,7 +100,7 @@ class GeodesicTriangles final : public GeodesicMethod {
     return distances;
   }
 
-  /// Rows of the lower triangle: between samples.
+  /// Distance of two samples, from the rows of the lower triangle of the table.
   double between(Index first, Index second) const {
     if (first == no_index || second == no_index) return unreachable;
     const auto row = static_cast<std::size_t>(std::max(first, second));
@@ -141,8 +141,8 @@ class GeodesicTriangles final : public GeodesicMethod {
     }
   }
 
-  /// Triangles between samples whose Voronoi regions meet in a face, and for each vertex the one that holds
-  /// it, or holds it best. Where there is none, its nearest samples.
+  /// Finds the triangles between samples whose Voronoi regions meet in a face, and for each vertex the
+  /// triangle that holds it, or comes closest to that; if there is none, its nearest samples.
   void find_triangles(const std::vector<Nearest>& nearest) {
     Index samples = 0;
     for (const Nearest& n : nearest) samples = std::max(samples, n.sample[0] + 1);
@@ -188,8 +188,7 @@ class GeodesicTriangles final : public GeodesicMethod {
     return {x, std::sqrt(std::max(0.0, to_first * to_first - x * x))};
   }
 
-  /// Its vertex in that plane: by the differences of the squares of its three distances, which a flat
-  /// triangle makes exact.
+  /// The vertex in that plane, by differences of its squared distances; exact if the triangle is flat.
   UnfoldedPoint laid(const Corners& corners) const {
     const double length = between(corners.sample[0], corners.sample[1]);
     const UnfoldedPoint apex = apex_of(corners.sample);
@@ -211,8 +210,9 @@ class GeodesicTriangles final : public GeodesicMethod {
     return std::min({third, second, 1.0 - third - second});
   }
 
-  /// Distance of a vertex from a point outside its triangle, which is `apart` from the corners: over an edge,
-  /// with the triangle on one side and the point on the other laid into the plane, or over a corner.
+  /// Distance of a vertex from a point outside its triangle, whose distances from the corners are `apart`:
+  /// over an edge, with the triangle and the point laid into the plane on either side of it, or over a
+  /// corner.
   double across(const Corners& from, const std::array<double, 3>& apart) const {
     double over_corner = unreachable;
     double straight = unreachable;
@@ -236,8 +236,8 @@ class GeodesicTriangles final : public GeodesicMethod {
 
 // As in the paper: m samples, the geodesic Delaunay triangulation of their Voronoi regions, distances of all
 // pairs of samples and of each vertex from the corners of its triangle. A query lays the two triangles into
-// the plane and measures there; here one corner after the other, each over the edge that a straight line
-// crosses.
+// the plane and measures there; here it unfolds one corner after the other, each over the edge that a
+// straight line crosses.
 MethodEntry gtu_entry() {
   return {
       {"gtu",

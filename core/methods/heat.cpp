@@ -22,7 +22,7 @@ namespace {
 
 /// Needles thinner than this are taken to be this thick, so that their cotangents stay finite.
 constexpr double least_area_part = 1e-14;
-/// An edge whose angles sum to pi but for rounding stays.
+/// An edge whose opposite angles sum to pi up to rounding is not flipped.
 constexpr double cotangent_slack = 1e-9;
 
 /// Faces with vertices, edge lengths and neighbours; edge i of a face runs from corner i to corner i + 1.
@@ -117,7 +117,7 @@ bool IntrinsicMesh::flip(Index f, int i) {
   faces[g] = {{two.vertex[(j + 2) % 3], one.vertex[(i + 1) % 3], one.vertex[(i + 2) % 3]},
               {from_b, to_b, new_length},
               {two.across[(j + 2) % 3], one.across[(i + 1) % 3], 3 * f + 2}};
-  // Edges of the two that met each other have moved with their faces.
+  // Other edges at which the two faces meet have moved with them.
   const auto moved = [&](Index edge) {
     if (edge == 3 * f + (i + 2) % 3) return 3 * f;
     if (edge == 3 * g + (j + 1) % 3) return 3 * f + 1;
@@ -139,8 +139,8 @@ bool IntrinsicMesh::flip(Index f, int i) {
 void IntrinsicMesh::make_delaunay() {
   std::vector<Index> stack;
   for (Index edge = static_cast<Index>(3 * faces.size()) - 1; edge >= 0; --edge) stack.push_back(edge);
-  // Each flip makes the triangulation "more Delaunay", but rounding on needles might not: the count is
-  // bounded.
+  // Each flip makes the triangulation "more Delaunay", but with rounding, one on needles might not: their
+  // number is bounded.
   const std::size_t max_flips = 100 * faces.size();
   std::size_t flips = 0;
   while (!stack.empty() && flips < max_flips) {
@@ -191,8 +191,8 @@ class Heat final : public GeodesicMethod {
         diffusion.emplace_back(a, a, IntrinsicMesh::double_area(face) / 6.0);
       }
     }
-    // One vertex of each component is held, which makes the second matrix regular: its rows would sum to 0.
-    // The fields are shifted afterwards anyway.
+    // One vertex of each component is held at 0, which makes the second matrix regular: otherwise its rows
+    // would sum to 0. The fields are shifted afterwards anyway.
     held_.assign(count, 0);
     std::vector<std::uint8_t> has_held(mesh->component_count(), 0);
     for (Index v = 0; v < count; ++v) {
@@ -227,7 +227,7 @@ class Heat final : public GeodesicMethod {
     const Vector heat = diffusion_.solve(start);
     checkpoint();
     const Vector integrated = poisson_.solve(divergence(heat));
-    // The level at the sources becomes 0: their mean, in each component.
+    // In each component, the mean level of the sources becomes 0.
     std::vector<double> level(mesh().component_count(), 0.0);
     std::vector<double> sources_in(mesh().component_count(), 0.0);
     for (Index v = 0; v < count; ++v) {
@@ -255,7 +255,7 @@ class Heat final : public GeodesicMethod {
     }
   }
 
-  /// Of the unit field along the falling heat, summed over the corners at each vertex.
+  /// The divergence of the unit field along the falling heat, summed over the corners at each vertex.
   Vector divergence(const Vector& heat) const {
     Vector sums = Vector::Zero(mesh().vertex_count());
     for (const auto& face : surface_.faces) {

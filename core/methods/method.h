@@ -52,12 +52,12 @@ using MethodOptions = std::map<std::string, double>;
 /// A method that has been prepared for a mesh. Belongs to one thread.
 class GeodesicMethod {
  public:
-  /// `activity`: what a field reports that it does; empty if solve() reports by itself.
+  /// `activity`: what the computation of a field is called in reports; empty if solve() reports by itself.
   explicit GeodesicMethod(std::shared_ptr<const Mesh> mesh, std::string activity = {})
       : mesh_(std::move(mesh)), activity_(std::move(activity)) {}
   virtual ~GeodesicMethod() = default;
   /// Distances from the nearest of the sources to every vertex; `unreachable` where there is none. Vertices
-  /// that became one over gaps have the same. \pre The sources are vertices of the mesh. \throw Cancelled.
+  /// merged over gaps have the same distance. \pre The sources are vertices of the mesh. \throw Cancelled.
   std::vector<double> field(std::span<const Index> sources, const Progress& progress = {});
   /// Distance of two vertices. Without a faster method it is the value of a field.
   double pair(Index source, Index target) {

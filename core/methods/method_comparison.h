@@ -20,8 +20,8 @@ struct MethodRequest {
   std::string text() const;
 };
 
-/// The request, where the method finds its own ways across gaps (an option `gap`) and was not told which: of
-/// those that the mesh was bridged with.
+/// The request. If the method crosses gaps by itself (option `gap`) and the request does not set that option,
+/// it gets the width up to which the mesh was bridged.
 MethodRequest with_gap(MethodRequest request, const GapLimit& limit);
 
 /// Reads a list such as "vorogeo, svg(K=100), heat(time_step=2, delaunay=1)"; "all" stands for all methods
@@ -34,7 +34,7 @@ struct MethodMeasure {
   MethodRequest request;
   double setup_seconds = 0.0;
   double field_seconds = 0.0;  ///< of one field, in the mean
-  double pair_seconds = 0.0;   ///< of two vertices, in the mean; NaN where a field is the only method
+  double pair_seconds = 0.0;   ///< of two vertices, in the mean; NaN if the method has only fields
   std::size_t bytes = 0;
   double mean_error = 0.0;
   double p99_error = 0.0;
@@ -46,7 +46,7 @@ struct MethodMeasure {
 std::vector<Index> spread_vertices(const Mesh& mesh, int count);
 
 /// Runs each method from each source on its own (wall time), and compares with exact distances. An optional
-/// one that cannot work on this mesh is left out with a warning. \throw InvalidInput for another one that
+/// method that cannot work on this mesh is left out with a warning. \throw InvalidInput for any other that
 /// cannot; Cancelled.
 std::vector<MethodMeasure> compare_methods(const std::shared_ptr<const Mesh>& mesh,
                                            const std::vector<MethodRequest>& requests,

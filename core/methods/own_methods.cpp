@@ -1,5 +1,4 @@
-// What of the product is a method among others: the index, the exact solver (MMP, AMMP), virtual sources
-// (GSP).
+// The project's own solvers as methods: the index, the exact solver (MMP, AMMP), virtual sources (GSP).
 
 #include "exact/exact_solver.h"
 #include "index/geodesic_index.h"

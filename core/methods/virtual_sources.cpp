@@ -95,7 +95,8 @@ void VirtualSources::run(std::span<const Index> sources) {
 void VirtualSources::reach_vertex(Index vertex, double distance) {
   VertexRecord& record = vertices_[vertex];
   if (!(distance < record.distance)) return;
-  // Faces that meet in this vertex only are not reached across edges. The cosine is at hand, the fan is not.
+  // Faces that meet in this vertex only are not reached across edges. The cosine is tested first, as reading
+  // the fan is a cache miss.
   if (record.defect[0] > 1.0 && mesh_->fan(vertex) == Mesh::Fan::non_manifold &&
       distance < record.distance * (1.0 - 1e-12)) {
     turning_.push_back(vertex);

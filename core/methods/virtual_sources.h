@@ -14,10 +14,10 @@ namespace vorogeo {
 
 /// Virtual source propagation (Trettner, Bommes, Kobbelt, "Geodesic distance computation via virtual source
 /// propagation", Computer Graphics Forum 40(5), 2021): each face keeps one source, unfolded into its plane,
-/// and hands it to the next face. Unlike there, the source comes with the sector in which it is seen through
-/// all edges that were crossed. Outside the sector, the source is rotated about the vertex that bounds it by
-/// the vertex's angle defect, to where it is seen past the other side; only in the shadow of both sides does
-/// the path bend at the vertex. There is no bound of the error.
+/// and hands it to the next face. Unlike in the paper, the source comes with the sector in which it is seen
+/// through all edges that were crossed. Outside the sector, the source is rotated about the vertex that
+/// bounds it by the vertex's angle defect, to where it is seen past the other side; only in the shadow of
+/// both sides does the path bend at the vertex. There is no bound of the error.
 ///
 /// Keeps its memory between runs; one object belongs to one thread.
 class VirtualSources {
@@ -46,7 +46,7 @@ class VirtualSources {
     Bound left, right;           ///< as seen from the source: on the side of the tail, and of the head
     Index base = no_index;
   };
-  /// What a run reads of a face, in one line of the cache.
+  /// What a run reads of a face, in one cache line.
   struct alignas(64) FaceRecord {
     std::array<double, 3> length;  ///< of the edges of its half-edges
     double twice_area;
@@ -54,7 +54,7 @@ class VirtualSources {
     std::array<Index, 3> next;  ///< around the edges of its half-edges
     std::array<Index, 3> vertex;
   };
-  /// Likewise of a vertex.
+  /// What a run reads of a vertex.
   struct alignas(32) VertexRecord {
     /// Cosine and sine of its angle defect; a cosine above 1 where there is no other side.
     PlanePoint defect;

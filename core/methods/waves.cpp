@@ -70,7 +70,7 @@ Split split_of(const Mesh& mesh, Index corner, double to_first, double to_second
     if (with_right > 0.0 && with_left > 0.0) {
       return {mesh.apex(twin), std::hypot(apex.x, apex.y), apex.x, apex.y};
     }
-    // Beyond the sector on the left: it goes on through the side at the right, and the other way round.
+    // If the apex lies left of the sector, unfolding goes on through the right side, and vice versa.
     if (with_right <= 0.0) {
       left = apex;
       crossed = begins_right ? previous : next;
@@ -118,8 +118,8 @@ std::vector<MarchingTriangle> marching_triangles(const Mesh& mesh) {
 // ---- Fast marching on triangles: a plane wave through each triangle, in order of arrival
 
 /// Arrival at the corner of a plane wave of speed 1 with the values `low` <= `high` at the other two
-/// vertices, which lie `to_low` and `to_high` away (Kimmel, Sethian 1998, section 4). A wave that does not
-/// come through the triangle, or none, comes along an edge.
+/// vertices, which lie `to_low` and `to_high` away (Kimmel, Sethian 1998, section 4). If no wave comes
+/// through the triangle, the value comes along an edge.
 double arrival(double low, double high, double to_low, double to_high, double cosine) {
   const double along_edges = std::fmin(low + to_low, high + to_high);
   if (!(cosine > -1.0 && cosine < 1.0)) return along_edges;
@@ -138,7 +138,7 @@ double arrival(double low, double high, double to_low, double to_high, double co
   return std::fmin(low + t, along_edges);
 }
 
-/// The value that a triangle gives its corner, by those of its other vertices that are settled.
+/// The value that a triangle gives its corner, from its other vertices as far as they are settled.
 double through(const MarchingTriangle& t, const VertexSearch& search) {
   const double first = search.distance(t.first);
   const double second = search.distance(t.second);
@@ -166,7 +166,7 @@ class FastMarching final : public GeodesicMethod {
 
 FastMarching::FastMarching(const std::shared_ptr<const Mesh>& mesh, const Mesh& surface)
     : GeodesicMethod(mesh, "Fast marching"), triangles_(marching_triangles(surface)) {
-  // The triangles in which a vertex is one of those with a value.
+  // For each vertex, the triangles in which it is one of the two with a value.
   const Index vertices = mesh->vertex_count();
   begin_.assign(static_cast<std::size_t>(vertices) + 1, 0);
   for (const auto& t : triangles_) {
@@ -211,12 +211,12 @@ MethodEntry fast_marching_entry() {
           prepared<FastMarching>};
 }
 
-// ---- Waves over raw meshes that cross whatever is nearer in space than a tolerance
+// ---- Waves over raw meshes that cross gaps wherever faces are nearer in space than a tolerance
 
 namespace {
 
-/// Triangles across gaps for each vertex, in the mean, beyond which a gap is refused: it is many edges wide,
-/// and everything would be joined to everything around it.
+/// A gap with more triangles across it per vertex, in the mean, is refused: it is many edges wide, and would
+/// join everything to everything around it.
 constexpr std::size_t max_triangles_per_vertex = 500;
 
 double distance_to_face(const Mesh& mesh, Index vertex, const std::array<Index, 3>& face) {

@@ -15,21 +15,21 @@ namespace vorogeo {
 /// Queue of items 0..count-1, each at most once, in its lowest bucket. The propagation corrects itself, so
 /// the order within a bucket matters for speed only. Last in, first out creates fewer windows; but where a
 /// bucket is much wider than the edges (in a part much smaller than the rest, or around a long spike), it
-/// would follow one chain of short steps after another, and take each item as often. So where items that are
-/// taken have brought many others into their own bucket, or one of them back again and again, as in a fan of
-/// needles, those that come later are taken in the order of their keys. So are late items, whose key lies in
-/// a bucket that the queue has left: they come first.
+/// would follow one chain of short steps after another, and take each item once for each chain. So where the
+/// items taken bring many others into their own bucket, or one of them back again and again, as in a fan of
+/// needles, the items pushed from then on are taken in the order of their keys. So are late items, whose key
+/// lies in a bucket that the queue has left: they come first.
 ///
-/// In such a crowd, where each item taken adds to the next ones, the caller may know better, and take others
-/// that are due before an item. That is put off: it waits on a stack, which is emptied before anything else
-/// is taken and before the bucket changes. lower_bound() does not rise until then, so it bounds these items
-/// too.
+/// In such a crowd, where each item taken brings more, the caller may know a better order, and take another
+/// due item before the one that was popped. The latter is put off: it waits on a stack, which is emptied
+/// before anything else is taken and before the bucket changes. lower_bound() does not rise until then, so it
+/// bounds these items too.
 ///
 /// No item can be lost: a push that lowers the bucket of an item adds an entry with this bucket, an entry
-/// leaves only when it is taken, and it is passed over only if its bucket, or its key in the heap, is not the
-/// item's any more, which then has another entry, or was taken. None can be overtaken by lower_bound() or
-/// least_key(): the wheel never passes an entry, the heap has the late items with their true keys, and
-/// entries that are passed over can only make these bounds lower.
+/// leaves only when it is taken, and it is passed over only if its bucket, or its key in the heap, is no
+/// longer that of its item, which then has another entry or was taken. Neither lower_bound() nor least_key()
+/// can exceed the key of an item: the wheel never passes an entry, the heap has the late items with their
+/// true keys, and entries that are passed over can only make these bounds lower.
 class BucketQueue {
  public:
   void resize(std::size_t count) {
@@ -56,7 +56,7 @@ class BucketQueue {
     const bool is_late = bucket < wheel_.current();
     const bool is_current = bucket == wheel_.current();
     const std::int64_t known = bucket_of_[item];
-    // Among sorted items, one whose key has become lower is added once more.
+    // While items are sorted, one whose key has decreased is added once more.
     if (known < bucket || (known == bucket && !is_late && !(is_current && is_crowded()))) return;
     lower_bound_ = std::min(lower_bound_, key);
     const std::int32_t taken = is_current ? taken_in_current(known) : 0;
@@ -71,8 +71,8 @@ class BucketQueue {
     bucket_of_[item] = bucket;
   }
 
-  /// What was put off last, whatever the limit; else the next item of a bucket that begins below `limit`, or
-  /// a late one with a key below it; no_index if there is none.
+  /// Takes the item put off last, whatever the limit; otherwise the next item of a bucket that begins below
+  /// `limit`, or a late item with a key below `limit`; no_index if there is none.
   Index pop(double limit = unreachable) {
     if (!put_off_.empty()) {
       const Index item = put_off_.back();
@@ -82,7 +82,7 @@ class BucketQueue {
     }
     for (;;) {
       if (!sorted_.empty() && (is_late(sorted_.front()) || !wheel_.has_current())) {
-        // No entry of the wheel has a lower key, or all that have are in later buckets.
+        // Late items come before the wheel; other sorted items wait until its current bucket is empty.
         const Sorted first = sorted_.front();
         if (!(std::min(first.key, begin_of_current()) < limit)) return no_index;
         const bool is_queued = is_queued_as(first);
@@ -109,7 +109,7 @@ class BucketQueue {
     }
   }
 
-  /// Whether items of the current bucket have brought so many back that these are sorted.
+  /// Whether so many items were pushed into the current bucket that further ones are sorted.
   bool is_crowded() const { return returned_ > max_returned; }
   /// Whether an item waits in the current bucket, or is late.
   bool is_due(Index item) const { return bucket_of_[item] <= wheel_.current(); }
@@ -157,16 +157,16 @@ class BucketQueue {
   struct Entry {
     std::int64_t bucket;
     Index item;
-    std::int32_t taken;  ///< how often it has been taken from this bucket while that is current
+    std::int32_t taken;  ///< how often the item was taken from this bucket while it was current
   };
   static constexpr std::int64_t none = TimingWheel<Entry>::none;
-  /// Items pushed into the current bucket until those that follow are sorted.
+  /// After so many items pushed into the current bucket, further ones are sorted.
   static constexpr std::size_t max_returned = 1 << 9;
-  /// As often an item is taken from the current bucket until what is pushed there is sorted.
+  /// Once an item was taken so often from the current bucket, items pushed there are sorted.
   static constexpr std::int32_t max_taken = 2;
 
-  /// Stands for the bucket of an item that is not queued, above all buckets and below `none`: how often it
-  /// was taken, and while which bucket was current.
+  /// Takes the place of the bucket of an item that is not queued, and encodes how often it was taken, and
+  /// while which bucket was current. Above all buckets and below `none`.
   std::int64_t not_queued(std::int32_t taken) const {
     return first_not_queued + epoch_ * (max_taken + 1) + std::min(taken, max_taken);
   }
@@ -185,7 +185,8 @@ class BucketQueue {
     }
   };
 
-  /// Its entries stay behind, and are passed over, or take it out of order if it comes back to their bucket.
+  /// Marks an item as taken. Entries that it has left are passed over, or take it out of order if it comes
+  /// back to their bucket.
   void forget(Index item) {
     if (!sorted_key_.empty()) sorted_key_[item] = unreachable;
     bucket_of_[item] = not_queued(max_taken);
@@ -199,8 +200,8 @@ class BucketQueue {
     std::push_heap(sorted_.begin(), sorted_.end());
     sorted_key_[item] = key;
   }
-  /// Whether this is the entry by which its item is queued: one that was taken or has got a lower key since
-  /// has left others behind, which would take it before its time.
+  /// Whether this is the entry by which its item is queued: an item that was taken or got a lower key has
+  /// left other entries behind, which would take it too early.
   bool is_queued_as(const Sorted& entry) const {
     return sorted_key_[entry.item] == entry.key && bucket_of_[entry.item] == bucket_at(entry.key);
   }

@@ -22,7 +22,7 @@ class DisjointSets {
   }
   /// Joins the sets of i and j; the root of j becomes that of both.
   void join(Index i, Index j) { parent_[root(i)] = root(j); }
-  /// Joins them too; the least number of a set that is only joined so is its root.
+  /// Also joins the sets of i and j. Of sets joined only by this function, the root is the least number.
   void join_at_least(Index i, Index j) {
     const auto [least, other] = std::minmax({root(i), root(j)});
     parent_[other] = least;

@@ -10,8 +10,8 @@
 namespace vorogeo {
 
 /// Queue of items 0..count-1, each at most once, so that items whose distances decrease many times before
-/// they are taken cost no memory. A heap of four children a node that knows the place of each item (Johnson
-/// 1975). Of items at one distance, the least comes first.
+/// they are taken cost no memory. A heap with four children per node that knows the place of each item
+/// (Johnson 1975). Of items at the same distance, the one with the lowest number comes first.
 class DistanceQueue {
  public:
   struct Item {

@@ -16,7 +16,7 @@
 
 namespace vorogeo {
 
-// ---- Space, by zeros where the file system cannot reserve any
+// ---- Reserving space, by writing zeros where the file system cannot
 
 namespace {
 
@@ -122,8 +122,8 @@ fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-/// "NAME.vorogeo-" of all temporaries of a target; shortened so that the name with its suffix is not too
-/// long. Paths are put together as the system writes them: text may lose characters.
+/// "NAME.vorogeo-", with which all temporary files of a target begin; shortened so that the name with its
+/// suffix is not too long. Paths are joined in the system's encoding, as text may lose characters.
 fs::path prefix_of(const fs::path& target) {
   const fs::path::string_type name = target.filename().native();
   std::size_t size = longest_name - std::string(mark).size() - 8 - std::string(ending).size();
@@ -133,7 +133,7 @@ fs::path prefix_of(const fs::path& target) {
   return fs::path(name.substr(0, size)) += mark;
 }
 
-/// The name of a new temporary of a target.
+/// The name of a new temporary file of a target.
 fs::path temporary_of(const fs::path& target) {
   std::random_device random;
   std::array<char, 9> number{};
@@ -250,7 +250,7 @@ void OutputFile::open_kept() {
   fs::path name = target_;
   name += kept_ending;
   output_target(name, what_);
-  // Whoever held the lock may have renamed or removed the file before it was free.
+  // Whoever held the lock may have renamed or removed the file before releasing it.
   do {
     if (descriptor_ >= 0) system::close(descriptor_);
     descriptor_ = system::open(name, system::Opening::existing_or_made);

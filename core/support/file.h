@@ -15,7 +15,7 @@
 
 namespace vorogeo {
 
-// ---- Writing to open files: all of it or an error, and space that is there before it is used
+// ---- Writing to open files: all bytes or an error, and space that is reserved before it is used
 
 /// A file that the system does not let us write: no room, no permission. The message names file and reason.
 class FileError : public Error {
@@ -27,18 +27,18 @@ class FileError : public Error {
 int write_all(int descriptor, std::span<const std::byte> bytes, std::uint64_t offset);
 
 /// Reserves disk space for the bytes from an offset on, so that memory mapped to the file can be written
-/// without a signal; what the file has there stays. On file systems that cannot reserve space, zeros are
-/// written behind its end. Bytes that clearly cannot fit take none. Reports at checkpoints. \return errno, or
+/// without a signal; existing contents stay. On file systems that cannot reserve space, zeros are written
+/// behind the end. Bytes that clearly cannot fit are not reserved. Reports at checkpoints. \return errno, or
 /// 0.
 int reserve_space(int descriptor, std::uint64_t offset, std::uint64_t bytes);
 
-/// What the system says of an error.
+/// The system's words for an error.
 std::string reason_of(int error);
 
 /// The beginning of a message: what the file is, and its name.
 std::string named_file(const std::filesystem::path& file, const std::string& what);
 
-/// \throw FileError that names the file, how far it came, the reason and what to do.
+/// \throw FileError that names the file, how far writing came, the reason and what to do.
 [[noreturn]] void fail_writing(const std::filesystem::path& file, const std::string& what,
                                const std::string& how_far, int error);
 
@@ -66,7 +66,7 @@ class MappedFile {
 
 // ---- An array that never changes, in memory or in a mapped file
 
-/// Elements that copies share: those of a vector, or a part of what some other owner keeps.
+/// Elements that copies share: those of a vector, or a part of what another owner keeps alive.
 template <class T>
 class SharedArray {
  public:
@@ -76,7 +76,7 @@ class SharedArray {
     elements_ = *owner;
     owner_ = std::move(owner);
   }
-  /// `owner` keeps the elements where they are.
+  /// `owner` keeps the elements alive.
   SharedArray(std::span<const T> elements, std::shared_ptr<const void> owner)
       : elements_(elements), owner_(std::move(owner)) {}
 
@@ -109,12 +109,13 @@ std::filesystem::path output_target(const std::filesystem::path& file, const std
 class OutputFile {
  public:
   enum class Unfinished {
-    /// Called NAME.vorogeo-*.part, and replaces the target, which keeps its permissions. What a killed
-    /// process has left is removed by whoever next writes to the same target; any number of writers may share
-    /// it: the last to finish wins.
+    /// The file is called NAME.vorogeo-*.part, takes over the target's permissions and replaces it. What a
+    /// killed process has left is removed by the next writer to the same target. Any number of writers may
+    /// share a target: the last to finish wins.
     removed,
-    /// Called NAME.unfinished, and stays until finish() or discard(), whatever stops the process: the next
-    /// writer, one at a time, goes on with it. A file that has its target's name by then is not replaced.
+    /// The file is called NAME.unfinished, and stays until finish() or discard(), whatever stops the process:
+    /// the next writer (one at a time) goes on with it. A file that has the target's name by then is not
+    /// replaced.
     kept
   };
 
@@ -129,7 +130,7 @@ class OutputFile {
 
   /// The file being written; valid until finish() or discard().
   const std::filesystem::path& temporary() const { return temporary_; }
-  /// Bytes that it has.
+  /// Its size in bytes.
   std::uint64_t size() const;
   /// Its first bytes; fewer if it is shorter.
   std::string head(std::size_t bytes) const;
@@ -143,15 +144,16 @@ class OutputFile {
   void map();
   /// Empty if it is not mapped.
   std::span<std::byte> mapped() const;
-  /// What keeps it mapped, also beyond the life of this object. Call after map().
+  /// The owner of the mapping, which keeps the file mapped beyond the life of this object. Call after map().
   std::shared_ptr<const void> mapping() const;
-  /// Behind what was written last. \throw FileError if the disk is full or fails.
+  /// Writes behind the bytes written last. \throw FileError if the disk is full or fails.
   void write(std::span<const std::byte> bytes) { write(written_, bytes); }
   void write(std::uint64_t offset, std::span<const std::byte> bytes);
   /// Waits until all that was written is on the disk; reports at checkpoints. \throw FileError.
   void sync();
-  /// Puts the file, safely on its disk, in its place, and lets its mapped memory be read only. \throw
-  /// FileError, also if a kept file was removed or replaced meanwhile, or another one has its target's name.
+  /// Makes the mapped memory read-only, waits until the file is on its disk, and renames it to its target.
+  /// \throw FileError, also if a kept file was removed or replaced meanwhile, or another has its target's
+  /// name.
   void finish();
   /// Removes it unless finish() has succeeded.
   void discard() noexcept;

@@ -1,4 +1,4 @@
-// The sentence about memory that is missing.
+// The error for a result that takes more memory than there is.
 #include "support/memory.h"
 
 #include <cstdio>

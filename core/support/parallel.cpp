@@ -24,7 +24,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Waits for its end; the C++ library of macOS has no std::jthread.
+/// A thread that is joined when destroyed; the C++ library of macOS has no std::jthread.
 struct JoinedThread : std::thread {
   using std::thread::thread;
   JoinedThread(JoinedThread&&) noexcept = default;
@@ -104,14 +104,14 @@ void parallel_for(std::size_t count, int threads, const Progress& progress, cons
 
   auto last_report = Clock::now();
   std::size_t counted = 0;
-  int reports = 0;  // since then
+  int reports = 0;  // since `counted` changed
   auto report = [&] {
     last_report = Clock::now();
     if (progress) {
       const std::size_t done = shared.done;
       if (done != counted) reports = 0;
       counted = done;
-      // Few long items are no reason to stand still.
+      // Progress goes on also while a few long items run.
       const double items = static_cast<double>(done) + (done < count ? covered_after(reports++) : 0.0);
       progress.report(count ? items / static_cast<double>(count) : 1.0, activity);
     } else {

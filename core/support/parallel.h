@@ -15,8 +15,8 @@ namespace vorogeo {
 
 // ---- How long a thread has worked
 
-/// Seconds of the processor that the calling thread has had. Unlike a clock on the wall it stands still while
-/// other programs run, so that two measured parts of work compare on a busy machine, too.
+/// Processor time of the calling thread, in seconds. Unlike wall time it stands still while other programs
+/// run, so that two measurements can be compared on a busy machine, too.
 double thread_seconds();
 
 // ---- The one place that starts threads

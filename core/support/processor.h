@@ -11,7 +11,7 @@
 #define VOROGEO_CLONES
 #endif
 
-// ---- Marks a function as part of those that are so compiled
+// ---- Marks a function to be inlined into those
 
 #if defined(__GNUC__)
 #define VOROGEO_INLINE inline __attribute__((always_inline))

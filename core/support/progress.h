@@ -79,7 +79,7 @@ inline constexpr Index elements_per_checkpoint = 1 << 13;
 /// \throw Cancelled.
 void checkpoint();
 
-/// 0 to `count` - 1, for a loop that does little for each: with a checkpoint at every few thousandth.
+/// The numbers 0 to `count` - 1, for a loop that does little for each, with a checkpoint every few thousand.
 template <class Count>
 auto checked(Count count) {
   return std::views::iota(Count{0}, count) | std::views::transform([](Count i) {
@@ -88,10 +88,10 @@ auto checked(Count count) {
          });
 }
 
-/// As long as it lives, checkpoints of this thread report to its Progress, a fraction that always grows: each
-/// report covers a small part of what is left, so that a user sees work that is going on even where nobody
-/// knows how much there is. Watches nest; one whose Progress
-/// has no function passes checkpoints on to the enclosing one.
+/// As long as a Watch lives, checkpoints of this thread report to its Progress, a fraction that always grows:
+/// each report covers a small part of what is left, so that a user sees the work going on even where nobody
+/// knows how much there is. Watches nest; one whose Progress has no function passes checkpoints on to the
+/// enclosing one.
 class Watch {
  public:
   /// Reports at once. `activity` is what is being done.
@@ -102,7 +102,7 @@ class Watch {
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 
-  /// The fraction from which reports go on. Reports at once.
+  /// Sets the fraction from which reports go on, and reports at once.
   void reach(double fraction);
 
  private:

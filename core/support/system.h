@@ -19,7 +19,7 @@ enum class Opening {
   made,  ///< refused if there is a file of that name
   existing_or_made
 };
-/// While it is open, others may read, write, rename and remove it. \return the descriptor, or minus the
+/// Opens a file, which others may still read, write, rename and remove. \return the descriptor or minus the
 /// error.
 int open(const std::filesystem::path& file, Opening opening);
 void close(int descriptor);
@@ -65,8 +65,8 @@ void make_read_only(std::span<std::byte> mapped);
 bool is_device(const std::filesystem::path& file);
 /// Whether this user may write to an existing file.
 int check_writable(const std::filesystem::path& file);
-/// Renames a file, which replaces one that has that name. Where a mapped file cannot be replaced, that gets
-/// the free name `aside`, and is removed by whoever removes leftovers when it is mapped no more.
+/// Renames a file, which replaces one that has that name. Where a mapped file cannot be replaced, it is
+/// renamed to `aside`, a free name, and removed with the leftovers once it is no longer mapped.
 int replace(const std::filesystem::path& from, const std::filesystem::path& to,
             const std::filesystem::path& aside);
 /// Renames a file unless there is one of that name (EEXIST).

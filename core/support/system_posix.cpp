@@ -1,4 +1,4 @@
-// The calls of POSIX, and where Linux has better ones, these; memory by the files in which Linux states it.
+// The system calls of POSIX, or of Linux where it has better ones; available memory from the files of Linux.
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/mman.h>
@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What a call says that returns -1 for an error.
+/// The error of a call that returns 0, or -1 if it fails.
 int error_of(int result) { return result == 0 ? 0 : errno; }
 
 /// The result of a call, or minus the error.
@@ -78,7 +78,7 @@ int resize(int descriptor, std::uint64_t bytes, std::span<std::byte>&) {
 
 int sync(int descriptor, std::span<const std::byte>) {
 #ifdef __linux__
-  // Piece by piece, so that the whole takes no single call of minutes.
+  // Piece by piece, so that no single call takes minutes.
   constexpr std::int64_t bytes_per_sync = std::int64_t{1} << 23;
   const std::int64_t end = size(descriptor);
   for (std::int64_t at = 0; at < end; at += bytes_per_sync) {

@@ -30,7 +30,7 @@ constexpr DWORD shared = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE;
 
 HANDLE handle_of(int descriptor) { return reinterpret_cast<HANDLE>(::_get_osfhandle(descriptor)); }
 
-/// The last error of this thread by the number in errno that has the same meaning.
+/// The last error of this thread, as the errno value of the same meaning.
 int last_error() {
   const auto condition = std::system_category().default_error_condition(static_cast<int>(::GetLastError()));
   return condition.category() == std::generic_category() ? condition.value() : EIO;
@@ -147,12 +147,12 @@ int sync(int descriptor, std::span<const std::byte> mapped) {
   return error_of(::FlushFileBuffers(handle_of(descriptor)));
 }
 
-void copy_rights(const fs::path&, int) {}  // a file has those that its folder gives
+void copy_rights(const fs::path&, int) {}  // a file has the rights that its folder gives
 
 bool is_full(int error) { return error == ENOSPC || error == EFBIG; }
 
 int reserve(int descriptor, std::uint64_t offset, std::uint64_t bytes) {
-  // Plain files have no holes: one has space as far as it reaches.
+  // Plain files have no holes: growing a file reserves its space.
   const std::int64_t before = size(descriptor);
   if (before < 0) return static_cast<int>(-before);
   if (offset + bytes <= static_cast<std::uint64_t>(before)) return 0;
@@ -206,7 +206,7 @@ int check_writable(const fs::path& file) {
 int replace(const fs::path& from, const fs::path& to, const fs::path& aside) {
   if (::MoveFileExW(from.c_str(), to.c_str(), MOVEFILE_REPLACE_EXISTING)) return 0;
   const int error = last_error();
-  // Windows removes no file that is mapped, which replacing would, but renames it.
+  // Windows cannot remove (and so replace) a mapped file, but it can rename it.
   if (!fs::is_regular_file(to) || !::MoveFileExW(to.c_str(), aside.c_str(), 0)) return error;
   if (!::MoveFileExW(from.c_str(), to.c_str(), 0)) {
     ::MoveFileExW(aside.c_str(), to.c_str(), 0);

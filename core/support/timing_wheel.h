@@ -19,16 +19,16 @@ namespace vorogeo {
 /// differs from the current one, in the slot of that digit's value; on wheel 0 if the two are equal. So all
 /// entries of a wheel come before those of the wheels above it, and their slots are in order. The current
 /// bucket never passes an entry: it moves on within wheel 0, or, where that is empty, to the least bucket of
-/// the first slot of the lowest wheel that is not, whose entries then fall to the wheels below. Each entry
-/// falls at most `wheel_count` - 1 times, and no step depends on the number of empty buckets: all is done in
-/// O(entries).
+/// the first slot of the lowest wheel that is not empty, whose entries then fall to the wheels below. Each
+/// entry falls at most `wheel_count` - 1 times, and no step depends on the number of empty buckets: all is
+/// done in O(entries).
 template <class Entry>
 class TimingWheel {
  public:
   static constexpr std::int64_t greatest_bucket = (std::int64_t{1} << 56) - 1;
   static constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
 
-  /// The bucket that entries are taken from. None that was added is below it.
+  /// The bucket that entries are taken from. No entry has a lower bucket.
   std::int64_t current() const { return current_; }
   bool empty() const { return count_ == 0; }
 
@@ -49,8 +49,8 @@ class TimingWheel {
     ++count_;
   }
 
-  /// The least bucket of all entries; `none` if there are none.
-  /// Complexity: O(1), or the entries of a slot where no entry is within `slot_count` buckets.
+  /// The least bucket of all entries; `none` if there are none. Complexity: O(1), or O(entries of a slot) if
+  /// no entry is within `slot_count` buckets.
   std::int64_t least_bucket() const {
     const auto [wheel, slot] = first_slot();
     if (wheel < 0) return none;
@@ -68,7 +68,7 @@ class TimingWheel {
     std::vector<Entry>& entries = slots_[wheel * slot_count + slot];
     current_ = least_of(entries);
     falling_.swap(entries);
-    // Room for the entries of hundreds of slots: none of these needs so much for itself.
+    // Frees the old memory of `falling_`, made for the entries of hundreds of slots: no slot needs so much.
     std::vector<Entry>().swap(entries);
     free_slot(wheel, slot);
     count_ -= falling_.size();
@@ -101,7 +101,7 @@ class TimingWheel {
         }
       }
     }
-    // Some are left here where there was no memory for them.
+    // Entries are left here if memory ran out in advance().
     for (const Entry& entry : falling_) visit(entry);
     falling_.clear();
     count_ = 0;
@@ -142,8 +142,8 @@ class TimingWheel {
     return std::ranges::min(entries, {}, &Entry::bucket).bucket;
   }
 
-  /// What memory it has goes to the slots that are filled next, so that all memory is that of the slots in
-  /// use at a time.
+  /// Marks a slot as empty. Its memory goes to the slots filled next, so that all memory is that of the slots
+  /// in use at one time.
   void free_slot(int wheel, std::int64_t slot) {
     occupied_[wheel][slot / 64] &= ~(std::uint64_t{1} << (slot % 64));
     std::vector<Entry>& entries = slots_[wheel * slot_count + slot];
@@ -152,8 +152,8 @@ class TimingWheel {
 
   std::vector<std::vector<Entry>> slots_ = std::vector<std::vector<Entry>>(wheel_count * slot_count);
   std::array<std::array<std::uint64_t, words>, wheel_count> occupied_{};
-  std::vector<Entry> falling_;             ///< empty but inside advance()
-  std::vector<std::vector<Entry>> spare_;  ///< empty, of slots that were in use
+  std::vector<Entry> falling_;             ///< empty except inside advance()
+  std::vector<std::vector<Entry>> spare_;  ///< empty vectors, from slots that were in use
   std::size_t count_ = 0;
   std::int64_t current_ = 0;
 };

@@ -13,12 +13,12 @@
 namespace vorogeo {
 
 /// Settles vertices in order of their distance from the nearest source (Dijkstra 1959). What a settled vertex
-/// gives its neighbours is the caller's: an edge, a sum of vectors, a wave through a triangle.
+/// passes to its neighbours is up to the caller: an edge, a sum of vectors, a wave through a triangle.
 class VertexSearch {
  public:
   VertexSearch(Index vertices, std::span<const Index> sources)
       : VertexSearch(std::vector<double>(vertices, unreachable), sources) {}
-  /// Only where sources are nearer than these distances.
+  /// Reaches only vertices to which a source is nearer than these distances.
   VertexSearch(std::vector<double> distances, std::span<const Index> sources)
       : distance_(std::move(distances)), settled_(distance_.size(), 0), queue_(distance_.size()) {
     for (Index source : sources) lower(source, 0.0);
@@ -42,7 +42,7 @@ class VertexSearch {
   }
   bool is_settled(Index vertex) const { return settled_[vertex] != 0; }
   double distance(Index vertex) const { return distance_[vertex]; }
-  /// Of vertices that are not settled: upper bounds.
+  /// Upper bounds at vertices that are not settled.
   const std::vector<double>& distances() const { return distance_; }
 
   static constexpr std::size_t bytes_per_vertex = sizeof(double) + sizeof(std::uint8_t) + sizeof(Index);
