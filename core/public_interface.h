@@ -42,8 +42,8 @@
 #include "tasks/texture.h"
 #include "tasks/voronoi_regions.h"
 
-// The core's own names, before the header below declares public ones beside them. Its functions on a surface
-// or a mesh need none: they are found by these arguments.
+// Names for what the core declares, before the header below declares public things of the same names. Core
+// functions of a surface or a mesh need none: they are found by their arguments.
 namespace inner {
 using vorogeo::check_mesh;
 using vorogeo::CutMesh;
@@ -70,7 +70,7 @@ struct Surface::State {
   std::shared_ptr<const Mesh> mesh;
   inner::IndexOptions options;
 
-  std::mutex mutex;  ///< of the surface, held for moments
+  std::mutex mutex;  ///< guards `surface`; held for moments
   std::shared_ptr<inner::Surface> surface;
   std::once_flag locator_made;
   std::unique_ptr<const SurfaceLocator> locator;
@@ -89,7 +89,7 @@ struct Surface::State {
   }
 };
 
-/// Runs a piece of the core, whose errors are those of the public header unless memory ends midway.
+/// Runs code of the core, whose errors are those of the public header, and makes running out of memory one.
 template <class Body>
 auto translated(Body&& body) {
   try {
@@ -112,7 +112,7 @@ inline inner::PointList points_in(const Mesh& mesh, const PointList& points) {
   return list;
 }
 
-/// A point over a gap lies in no face that was given.
+/// A point on a bridge lies in no given face.
 inline SurfacePoint point_out(const Mesh& mesh, const inner::SurfacePoint& point) {
   const InputPoint out = InputMap(mesh).point_out(point);
   return out.vertex >= 0 ? SurfacePoint(out.vertex) : SurfacePoint(out.face, out.weights);
@@ -152,7 +152,7 @@ struct Asked {
   }
 };
 
-/// What body(asked) returns for the surface as it is now.
+/// Calls body(asked) for the surface as it is now.
 template <class Options, class Body>
 auto ask(const Surface& surface, const Options& options, Body&& body) {
   return translated([&] {

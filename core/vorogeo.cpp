@@ -19,7 +19,7 @@ void require_count(std::size_t count, std::size_t wanted, const std::string& wha
                      std::to_string(wanted) + " " + element + "; give one value for each.");
 }
 
-/// Faces that the mask leaves out name one vertex three times: a Mesh leaves these out and goes on counting.
+/// Makes masked faces name one vertex three times: Mesh leaves such faces out but keeps their numbers.
 void leave_out_masked(const std::vector<bool>& mask, std::size_t vertices,
                       std::vector<std::array<int, 3>>& faces) {
   if (mask.empty()) return;
@@ -41,7 +41,7 @@ std::shared_ptr<const Mesh> mesh_of(std::vector<Point> positions, std::vector<st
   leave_out_masked(options.mask, positions.size(), faces);
   Metric metric;
   std::string given;
-  // What is given of one metric: true if it is this one.
+  // Whether this metric is given; refuses a second one.
   const auto is_given = [&](const auto& values, const char* name, std::size_t wanted, const char* element) {
     if (values.empty()) return false;
     if (!given.empty()) throw InvalidInput("Both " + given + " and " + name + " are given; give one metric.");
@@ -195,7 +195,7 @@ double Surface::distance(const SurfacePoint& from, const SurfacePoint& to, Answe
 
 namespace {
 
-/// \throw InvalidInput unless as many points are to be started from as gone to.
+/// \throw InvalidInput unless both lists have the same number of points.
 void require_pairs(const PointList& from, const PointList& to) {
   if (from.size() == to.size()) return;
   throw InvalidInput("There are " + std::to_string(from.size()) + " points to start from and " +
@@ -326,7 +326,7 @@ struct Query::State {
   inner::PointList in(const PointList& points, const char* what) const {
     return points_on(*surface->mesh(), points_in(*surface->mesh(), points), what);
   }
-  /// Exactly what reaches a small part of the surface, as Surface answers it.
+  /// Like Surface, answers exactly what reaches a small part of the surface.
   Answer within(double limit, std::size_t sources) const {
     if (!is_automatic || by == Answer::exact) return by;
     const double reach = static_cast<double>(sources) * surface->reach_of(limit);
@@ -394,7 +394,7 @@ Path Query::path(const SurfacePoint& from, const SurfacePoint& to, bool exact) {
 
 namespace {
 
-/// For so many rows of distances. \throw NotEnoughMemory before anything is allocated.
+/// Zeros for so many rows of distances. \throw NotEnoughMemory before anything is allocated.
 std::vector<double> rows_of_distances(std::size_t rows, std::size_t width) {
   require_memory(static_cast<double>(rows) * static_cast<double>(width) * sizeof(double), 0,
                  "The matrix of the distances", "Ask for fewer points at a time.");

@@ -41,11 +41,11 @@ using ProgressFunction = std::function<bool(double fraction, const std::string& 
 
 // ---- Points of a surface
 
-/// A point of a surface: a vertex, or a place in a face. A vertex number is one.
+/// A point of a surface: a vertex, or a place in a face. A vertex number converts to one.
 struct SurfacePoint {
   int vertex = -1;
   int face = -1;
-  /// Of the corners of `face`: not negative, sum 1.
+  /// Weights of the corners of `face`: not negative, sum 1.
   std::array<double, 3> weights{};
 
   SurfacePoint() = default;
@@ -89,30 +89,30 @@ struct SnappedPoint {
 
 // ---- Options and answers
 
-/// What distances are measured in, and on which part of the mesh. At most one is given of the first four and
-/// side_lengths.
+/// The metric that distances are measured in, and the part of the mesh. Of the first four and side_lengths,
+/// at most one is given.
 struct SurfaceOptions {
   /// By vertex, above 0, linear over each face: what a unit of length costs. Infinite: no path enters the
   /// faces at the vertex.
   std::vector<double> vertex_cost = {};
   /// By vertex, linear over each face: the squared length of a step v is v' G v. Positive on the faces.
   std::vector<Tensor> vertex_tensor = {};
-  /// By face, above 0: paths refract at edges. Infinite: none enters the face, but along its border they may
-  /// go.
+  /// By face, above 0: what a unit of length costs; paths refract at edges. Infinite: no path enters the
+  /// face, but paths may run along its border.
   std::vector<double> face_cost = {};
   /// By face: the squared length of a step v in it is v' G v; paths refract at edges.
   std::vector<Tensor> face_tensor = {};
-  /// By face, with face_cost, face_tensor or neither: a step v costs w . v more, and less on the way back. A
-  /// vector shorter than 1 in the metric of the face. Answered exactly, without an index.
+  /// By face, alone or with face_cost or face_tensor: a vector w of a norm below 1 in the metric of the face.
+  /// A step v costs w . v more, the step back as much less. Answers are exact, without an index.
   std::vector<Point> face_drift = {};
   /// By face, each side opposite the corner of the same number: lengths instead of those in space.
   std::vector<std::array<double, 3>> side_lengths = {};
   /// By face or by vertex: false leaves the face, or all faces at the vertex, out of the surface.
   std::vector<bool> mask = {};
-  /// Borders at most this far apart that face each other are joined. In a metric, a bridge costs its length
-  /// times the dearer side.
+  /// Borders at most this far apart that face each other are joined. Bridges are as dear as the dearer
+  /// border.
   double gap = 0.0;
-  /// Join them also where the surface turns back.
+  /// Borders are also joined where the surface turns back.
   bool bridge_folds = false;
   /// Threads used by an index build, a field or a task; 0: one per core. Results do not depend on it, except
   /// exact fields of large meshes, which threads share: there, up to rounding.
@@ -134,8 +134,8 @@ struct FieldOptions {
 struct Field {
   std::vector<double> distance = {};  ///< of every vertex
   std::vector<int> label = {};  ///< with labels, position of the nearest source in the list; -1 for none
-  /// Of an exact field, relative, in the mean: 0 but for rounding, or what is estimated where values of faces
-  /// jump. NaN by other methods.
+  /// Mean relative error expected of an exact field: 0 but for rounding, or an estimate where the metric
+  /// jumps at edges. NaN with other methods.
   double expected_error = std::numeric_limits<double>::quiet_NaN();
   int unreached = 0;  ///< vertices to which no path leads, whatever the limit
   Answer answered_by = Answer::exact;
@@ -153,9 +153,9 @@ struct PathOptions {
 struct Path {
   std::vector<Point> points = {};  ///< positions in space
   std::vector<SurfacePoint> surface_points =
-      {};  ///< the same; neither vertex nor face on a bridge over a gap
+      {};  ///< the same points; vertex and face are -1 on a bridge over a gap
   double length = unreachable;
-  bool certified = false;  ///< proven: none is shorter
+  bool certified = false;  ///< proven: no path is shorter
   Answer answered_by = Answer::exact;
   std::string remark;
 };
@@ -171,7 +171,7 @@ struct IndexOptions {
   ProgressFunction progress = {};
 };
 
-/// On this machine with nothing else to do.
+/// What an index costs on this machine, if it has nothing else to do.
 struct IndexEstimate {
   double build_seconds = 0.0;
   std::int64_t bytes = 0;            ///< in addition to the mesh
@@ -205,14 +205,14 @@ VOROGEO_API std::vector<double> slope_cost(const std::vector<Point>& positions,
                                            const std::vector<std::array<int, 3>>& faces, double penalty = 1.0,
                                            const Point& up = {0.0, 0.0, 1.0});
 /// A face_cost that is a function of the grade: rise by length on the map where the face is steepest,
-/// infinite for a wall. Where it is infinite, as above what a wheelchair climbs, is a barrier.
+/// infinite for a wall. Faces where it is infinite, such as those too steep for a wheelchair, are barriers.
 VOROGEO_API std::vector<double> slope_cost(const std::vector<Point>& positions,
                                            const std::vector<std::array<int, 3>>& faces,
                                            const std::function<double(double grade)>& cost,
                                            const Point& up = {0.0, 0.0, 1.0});
-/// A vertex_tensor by which paths follow ridges, valleys and limbs: a step across them, where the surface is
-/// curved in one direction only, counts sqrt(1 + weight). Below 0 paths run around them. Planes and spheres
-/// keep their lengths. \throw InvalidInput for a weight that is not finite.
+/// A vertex_tensor by which paths follow ridges, valleys and limbs: a step across them costs sqrt(1 + weight)
+/// times its length where the surface is curved in one direction only. With a weight below 0, paths run
+/// around them. Planes and spheres keep their lengths. \throw InvalidInput for a weight that is not finite.
 VOROGEO_API std::vector<Tensor> curvature_tensor(const std::vector<Point>& positions,
                                                  const std::vector<std::array<int, 3>>& faces,
                                                  double weight = 3.0);
@@ -223,16 +223,15 @@ struct FaceMetric {
   std::vector<Tensor> face_tensor;
   std::vector<Point> face_drift;
 };
-/// Time over terrain. `pace`: what a unit of length on the map costs at a grade, rise by length on the map,
-/// which is below 0 downhill; none: seconds per metre by Tobler's hiking function. Infinite for grades at
-/// which none can go: steeper faces are climbed by zigzags. \throw InvalidInput for a cost that is not above
-/// 0, or infinite near 0.
+/// Time over terrain. `pace`: what a unit of length on the map costs at a grade (rise by length on the map,
+/// below 0 downhill), infinite where none can go: steeper faces are climbed by zigzags. None: seconds per
+/// metre by Tobler's hiking function. \throw InvalidInput for a cost that is not above 0, or infinite near 0.
 VOROGEO_API FaceMetric hiking_time(const std::vector<Point>& positions,
                                    const std::vector<std::array<int, 3>>& faces,
                                    const std::function<double(double grade)>& pace = {},
                                    const Point& up = {0.0, 0.0, 1.0});
-/// Time of what moves with `speed` in a wind or a current, both by face: Zermelo's problem. \throw
-/// InvalidInput for a speed that is not above that of the wind, by face.
+/// Travel time with an own `speed` in a wind or a current, both by face: Zermelo's problem.
+/// \throw InvalidInput for a speed that is not above that of the wind; names the face.
 VOROGEO_API FaceMetric travel_time(const std::vector<Point>& positions,
                                    const std::vector<std::array<int, 3>>& faces,
                                    const std::vector<Point>& wind, const std::vector<double>& speed);
@@ -260,8 +259,8 @@ class VOROGEO_API Surface {
   /// The same with options and labels. \throw InvalidInput for no source, or one that is not on the surface.
   Field field(const PointList& sources, const FieldOptions& options = {}) const;
   /// A curve along edges, each between two vertices, as sources: points at most `spacing` apart; 0: a quarter
-  /// of an edge. Distances from them are at most half the spacing too long. \throw InvalidInput for vertices
-  /// without an edge.
+  /// of an edge. Distances from them are at most half the spacing too long. \throw InvalidInput for two
+  /// vertices without an edge between them.
   PointList along_edges(const std::vector<std::array<int, 2>>& edges, double spacing = 0.0) const;
   /// The distance of two points. \pre `by` is not quick.
   double distance(const SurfacePoint& from, const SurfacePoint& to, Answer by = Answer::automatic) const;
@@ -271,7 +270,7 @@ class VOROGEO_API Surface {
   Path path(const SurfacePoint& from, const SurfacePoint& to, const PathOptions& options = {}) const;
   /// The same for pairs, on all threads.
   std::vector<Path> paths(const PointList& from, const PointList& to, const PathOptions& options = {}) const;
-  /// What one thread asks many small questions with; see Query. \pre `by` is not quick.
+  /// For many small questions of one thread; see Query. \pre `by` is not quick.
   Query query(Answer by = Answer::automatic) const;
 
   /// The nearest point of the surface. \throw InvalidInput for a coordinate that is not finite.
@@ -282,7 +281,7 @@ class VOROGEO_API Surface {
   /// Builds an index: later answers take milliseconds or less. Does nothing if there is one, except that a
   /// file is written. \throw InvalidInput for options that cannot be met, IndexFileError, Cancelled.
   void build_index(const IndexOptions& options = {});
-  /// What that would cost, in a few percent of its time.
+  /// Estimates what a build would cost, in a few percent of its time.
   IndexEstimate estimate_index(const IndexOptions& options = {}) const;
   bool has_index() const;
   /// \pre There is an index. \throw InvalidInput otherwise.
@@ -299,23 +298,23 @@ class VOROGEO_API Surface {
   std::shared_ptr<State> state_;
 };
 
-/// The memory that answers of one thread need, kept between them. For loops of many small questions. Answers
-/// are those of the surface with the index that it had when the query was made: by it if there was one, but
-/// exactly what reaches a small part of the surface. For one thread at a time; make one for each.
+/// Keeps the scratch memory of one thread between answers: for loops of many small questions. Answers are
+/// those of the surface as it was when the query was made: by its index if it had one, but exact where the
+/// question reaches a small part of the surface. For one thread at a time; make one for each.
 class VOROGEO_API Query {
  public:
   Query(Query&&) noexcept;
   Query& operator=(Query&&) noexcept;
   ~Query();
 
-  /// By the index, or exactly; where no limit says otherwise.
+  /// How questions without a limit are answered: by the index, or exactly.
   Answer answers_by() const;
   /// See Surface::distances_from. Distances above the limit are `unreachable`.
   std::vector<double> distances_from(const PointList& sources, double limit = unreachable);
   double distance(const SurfacePoint& from, const SurfacePoint& to);
   /// From one point to each of a list: one propagation, which ends at the limit, serves all of them.
   std::vector<double> distances(const SurfacePoint& from, const PointList& to, double limit = unreachable);
-  /// `exact`: the shortest one, also from an index.
+  /// `exact`: the shortest path, even with an index.
   Path path(const SurfacePoint& from, const SurfacePoint& to, bool exact = false);
 
  private:
@@ -347,13 +346,13 @@ VOROGEO_API std::vector<double> distance_fields(const Surface& surface, const Po
 VOROGEO_API SparseDistances pairs_within(const Surface& surface, const PointList& points, double radius,
                                          const TaskOptions& options = {});
 
-/// The `count` nearest of a set for each query.
+/// The `count` nearest points of a set for each query.
 VOROGEO_API NearestOfSet nearest(const Surface& surface, const PointList& set, const PointList& queries,
                                  std::size_t count, const TaskOptions& options = {});
 
 /// The shortest path through points in this order, each leg exact; `closed`: and back to the first. Where all
-/// legs are certified, so is the path. `guides`: the points between its ends are guides only, and it is the
-/// locally shortest path to which the one through them is pulled; closed as tighten(). \throw InvalidInput
+/// legs are certified, so is the path. `guides`: the points between its ends only guide it: it is the locally
+/// shortest path to which the one through them is pulled; with `closed`, as by tighten(). \throw InvalidInput
 /// for fewer than two points, or two that no path joins.
 VOROGEO_API Path path_through(const Surface& surface, const PointList& points, bool closed = false,
                               bool guides = false, const TaskOptions& options = {});
@@ -367,13 +366,13 @@ VOROGEO_API std::vector<SurfacePoint> points_along(const Surface& surface, const
 /// path_through(), and for fewer than one sample.
 VOROGEO_API Path bezier(const Surface& surface, const PointList& points, int samples = 32,
                         const TaskOptions& options = {});
-/// The uniform cubic B-spline curve of control points, `closed`: all the way round, else from the first to
-/// the last: after so many levels of subdivision (Lane, Riesenfeld), with middles of shortest paths. \throw
-/// InvalidInput likewise, and for fewer than three points of a closed one.
+/// The uniform cubic B-spline curve of control points, all the way round if `closed`, else from the first to
+/// the last, after `levels` levels of subdivision (Lane, Riesenfeld) with middles of shortest paths.
+/// \throw InvalidInput likewise, and for fewer than three points of a closed curve.
 VOROGEO_API Path b_spline(const Surface& surface, const PointList& points, bool closed = false,
                           int levels = 4, const TaskOptions& options = {});
-/// A curve through all points, `closed`: and back to the first; between two neighbours a cubic Bezier curve
-/// with so many samples. Its direction at a point is that from the one before to the next (Catmull, Rom).
+/// A curve through all points, and back to the first if `closed`: between two neighbours a cubic Bezier curve
+/// with so many samples. Its direction at a point is that from the previous point to the next (Catmull, Rom).
 /// \throw InvalidInput likewise, and as log_map().
 VOROGEO_API Path spline(const Surface& surface, const PointList& points, bool closed = false,
                         int samples = 16, const TaskOptions& options = {});
@@ -388,16 +387,17 @@ VOROGEO_API Path tighten(const Surface& surface, const PointList& curve, const T
 VOROGEO_API Path shortest_loop(const Surface& surface, const SurfacePoint& point, const PointList& curve = {},
                                const TaskOptions& options = {});
 
-/// How far it is round a limb. Lengths of section and tape are in space, whatever the metric.
+/// Lengths round a limb. Those of section and tape are in space, whatever the metric.
 struct Girth {
   Point normal{};           ///< of the plane
-  Path section;             ///< where the plane cuts the surface, from the point round to it
+  Path section;             ///< where the plane cuts the surface, from the point round and back
   std::vector<Point> tape;  ///< corners of the section's convex hull, in order
   double tape_length = 0.0;
   Path loop;  ///< the section pulled tight; one point, of length 0, where it slips off, which `remark` says
 };
-/// At a point, by the plane with this normal, of any length; without one by that of the shortest closed
-/// section through the normal of the surface. \throw InvalidInput for a section that meets a border.
+/// The girth at a point, by the plane with this normal, of any length; without a normal, by the plane of the
+/// shortest closed section among those through the normal of the surface. \throw InvalidInput for a section
+/// that meets a border.
 VOROGEO_API Girth girth(const Surface& surface, const SurfacePoint& point, const Point& normal,
                         const TaskOptions& options = {});
 VOROGEO_API Girth girth(const Surface& surface, const SurfacePoint& point, const TaskOptions& options = {});
@@ -418,8 +418,8 @@ VOROGEO_API Isolines isolines(const Surface& surface, const std::vector<double>&
                               const std::vector<double>& levels);
 
 struct FarthestOptions {
-  int count = 0;         ///< so many samples; 0: no such limit
-  double radius = 0.0;   ///< until every vertex is at most so far from a sample; 0: no such limit
+  int count = 0;         ///< number of samples; 0: no such limit
+  double radius = 0.0;   ///< ends once all vertices are this near to a sample; 0: no such limit
   PointList start = {};  ///< the first samples; empty: a random vertex
   std::uint64_t seed = 0;
   Answer by = Answer::automatic;
@@ -443,7 +443,7 @@ struct RelaxedPoints {
   std::vector<SurfacePoint> points;
   std::vector<double> energy;
 };
-/// Lloyd relaxation: ends after so many rounds, or when no point finds a better vertex. May be quick.
+/// Lloyd relaxation: ends after `rounds`, or when no point finds a better vertex. `by` may be quick.
 VOROGEO_API RelaxedPoints relax(const Surface& surface, const PointList& points, int rounds = 10,
                                 const TaskOptions& options = {});
 
@@ -451,9 +451,9 @@ VOROGEO_API RelaxedPoints relax(const Surface& surface, const PointList& points,
 VOROGEO_API Disk disk(const Surface& surface, const PointList& sources, double radius,
                       const TaskOptions& options = {});
 
-/// The area within a distance. Borders are circular arcs in parts of faces, at most width / 16 long: exact
-/// for points in a plane but for the few arcs that leave such a part and come back. Sources may be points of
-/// along_edges().
+/// The area within a distance. Its border is a circular arc in each part of a face, whose sides are at most
+/// width / 16 long: exact for points in a plane but for the few arcs that leave such a part and come back.
+/// Sources may be points of along_edges().
 VOROGEO_API Band band(const Surface& surface, const PointList& sources, double width,
                       const TaskOptions& options = {});
 /// The area within a radius of a point.
@@ -464,7 +464,7 @@ inline double disk_area(const Surface& surface, const SurfacePoint& centre, doub
 
 /// A mesh cut along lines. Its vertices are those of the surface, then new ones on the lines; parts of
 /// neighbouring faces share these, so it is as watertight as it was. Faces that are left out of the surface
-/// are left out.
+/// are missing here, too.
 struct CutMesh {
   std::vector<Point> positions;
   std::vector<std::array<int, 3>> faces;
@@ -472,25 +472,25 @@ struct CutMesh {
   std::vector<int> face_of;               ///< by face, the one of the surface that it is a part of
   std::vector<int> region;                ///< by face; see the functions
   std::vector<std::array<int, 2>> edges;  ///< along the lines, in their direction
-  /// By face: 1 to the left of a line, as most faces are turned, -1 to its right, 0 beside none or both.
+  /// By face: 1 to the left of a line (as most faces are turned), -1 to its right, 0 on neither or both.
   std::vector<int> side;
 };
-/// Along isolines of a field at the vertices, which have greater values to their left. Region: how many
-/// different levels are at most the values there; -1 where these are not finite.
+/// Cuts along isolines of a field at the vertices, which have greater values to their left. Region: how many
+/// different levels are not above the values there; -1 where these are not finite.
 VOROGEO_API CutMesh cut_at_levels(const Surface& surface, const std::vector<double>& field,
                                   const std::vector<double>& levels, const TaskOptions& options = {});
-/// Along lines whose consecutive points share a face, such as the `surface_points` of paths. Region: the
+/// Cuts along lines whose consecutive points share a face, such as the `surface_points` of paths. Region: the
 /// connected part, numbered from 0. \throw InvalidInput for points that share no face.
 VOROGEO_API CutMesh cut_along(const Surface& surface, const std::vector<std::vector<SurfacePoint>>& lines,
                               const TaskOptions& options = {});
 
-/// Of the faces with each label from 0 on; others are of no region.
+/// Measures of the faces with each label from 0 on; faces with other labels belong to no region.
 VOROGEO_API std::vector<RegionArea> region_areas(const Surface& surface,
                                                  const std::vector<int>& label_of_face,
                                                  const TaskOptions& options = {});
-/// Of the side of a closed curve, such as a loop, that has no border of the surface, else of the smaller one.
-/// Consecutive points share a face. \throw InvalidInput for a curve that is not closed, crosses itself, or
-/// has one and the same side.
+/// Measures of the side of a closed curve, such as a loop, that has no border of the surface, else of the
+/// smaller side. Consecutive points share a face. \throw InvalidInput for a curve that is not closed, crosses
+/// itself, or does not separate its two sides.
 VOROGEO_API RegionArea enclosed_area(const Surface& surface, const PointList& curve,
                                      const TaskOptions& options = {});
 
@@ -498,7 +498,7 @@ VOROGEO_API RegionArea enclosed_area(const Surface& surface, const PointList& cu
 struct Polygon {
   double area = 0.0;  ///< of the inside: the side without border of the surface, else the smaller
   double perimeter = 0.0;
-  std::vector<int> corners;    ///< positions of its points in the list: of a hull those that span it
+  std::vector<int> corners;    ///< positions of its points in the list; of a hull, the points that span it
   std::vector<double> angles;  ///< of the inside at each corner, in radians
   double curvature = 0.0;      ///< sum of the angle defects of the vertices inside
   /// 2 pi times the Euler characteristic of the inside, minus its curvature and the turning of its border at
@@ -506,14 +506,14 @@ struct Polygon {
   /// more than two faces.
   double gauss_bonnet = 0.0;
   std::vector<int> vertices;                    ///< inside, not on the border
-  std::vector<int> faces;                       ///< all of which are inside
+  std::vector<int> faces;                       ///< that lie inside as a whole
   std::vector<std::vector<SurfacePoint>> legs;  ///< from each corner to the next; cut_along() takes them
 };
 /// From each point to the next by the shortest path, and back to the first. \throw InvalidInput for legs that
 /// cross or touch, or that do not separate an inside from an outside.
 VOROGEO_API Polygon polygon(const Surface& surface, const PointList& points, const TaskOptions& options = {});
 /// The polygon of some of the points that has the others inside and no angle above pi. \throw InvalidInput
-/// where they do not lie in a part like a disk in which any two have one shortest path.
+/// where they do not lie in a disk-like part in which any two have a unique shortest path.
 VOROGEO_API Polygon convex_hull(const Surface& surface, const PointList& points,
                                 const TaskOptions& options = {});
 
@@ -521,7 +521,7 @@ VOROGEO_API Polygon convex_hull(const Surface& surface, const PointList& points,
 VOROGEO_API SetDistances set_distances(const Surface& surface, const PointList& first,
                                        const PointList& second, const TaskOptions& options = {});
 
-/// Of each point the vertex farthest from it.
+/// For each point, the vertex farthest from it.
 VOROGEO_API std::vector<Eccentricity> eccentricities(const Surface& surface, const PointList& points,
                                                      const TaskOptions& options = {});
 
@@ -532,24 +532,23 @@ struct Extent {
   std::array<double, 2> radius{};
   int centre = -1;  ///< from which all vertices are within the upper bound of the radius
 };
-/// Of the largest component, from at most `max_fields` fields.
+/// Bounds for the largest component, from at most `max_fields` fields.
 VOROGEO_API Extent extent(const Surface& surface, int max_fields = 20, const TaskOptions& options = {});
 
 // ---- Directions: the logarithmic and the exponential map
 
-/// A vector in the tangent plane of a point, by its coordinates in the frame there. As in
-/// geometry-central, the x axis runs at a vertex along the edge that leaves it in its last face, on a border
-/// along the border edge after which the faces follow, and angles are scaled so that they sum to 2 pi, on a
-/// border to pi; in a face, from the first corner to the second. Points on edges take the first of the
-/// edge's faces.
+/// A vector in the tangent plane of a point, by its coordinates in the frame there. As in geometry-central,
+/// the x axis runs, at a vertex, along the edge that leaves it in its last face (on a border, along the
+/// border edge after which its faces follow), with angles scaled to sum to 2 pi (on a border, to pi); in a
+/// face, it runs from the first corner to the second. Points on edges take the first of the edge's faces.
 using Tangent = std::array<double, 2>;
 
 /// The axes of a frame, in space and of unit length.
 struct TangentFrame {
   Point x{}, y{}, normal{};
 };
-/// Of surfaces without a metric. \throw InvalidInput where directions have no angles: at vertices without a
-/// fan of faces, on edges of three faces or more, in faces without area; names the place.
+/// The frames at points. \throw InvalidInput with a metric, and where directions have no angles: at vertices
+/// without a fan of faces, on edges of three faces or more, in faces without area; names the place.
 VOROGEO_API std::vector<TangentFrame> tangent_frames(const Surface& surface, const PointList& points);
 
 struct LogMapOptions {
@@ -578,8 +577,8 @@ struct GradientOptions {
 /// away from the source, exactly. NaN at sources, where no path leads, and at vertices without a frame.
 VOROGEO_API std::vector<Tangent> gradient(const Surface& surface, const PointList& sources,
                                           const GradientOptions& options = {});
-/// Vectors in the frame of the first point of a path, carried along it in parallel, in the frame of its last
-/// point. \throw InvalidInput for consecutive points without a common face, or a point without a frame.
+/// Carries vectors in the frame of a path's first point along the path in parallel, into the frame of its
+/// last point. \throw InvalidInput for consecutive points without a common face, or a point without a frame.
 VOROGEO_API std::vector<Tangent> transport(const Surface& surface, const PointList& path,
                                            const std::vector<Tangent>& vectors);
 
@@ -587,8 +586,8 @@ struct TransportOptions {
   double limit = unreachable;  ///< beyond it there are no vectors
   ProgressFunction progress = {};
 };
-/// A vector in the frame of a point, carried in parallel along the shortest paths to all vertices, exactly:
-/// in their frames. NaN where no path leads, and where there is no frame. \throw InvalidInput as log_map().
+/// Carries a vector in the frame of a point along the shortest paths to all vertices in parallel, exactly,
+/// into their frames. NaN where no path leads, and where there is no frame. \throw InvalidInput as log_map().
 VOROGEO_API std::vector<Tangent> transport_from(const Surface& surface, const SurfacePoint& from,
                                                 const Tangent& vector, const TransportOptions& options = {});
 
@@ -616,8 +615,8 @@ struct Centre {
   double energy = 0.0;  ///< this sum
   std::string remark;   ///< if the centre is one of several, or was not found closely; mostly empty
 };
-/// The point with the least sum of weighted squared distances from some points, found exactly by descent from
-/// the one of them that is best; all weights are 1 if none are given. \pre `by` is neither index nor quick.
+/// The point with the least sum of weighted squared distances from some points, found exactly, by descent
+/// from the best of these points; all weights are 1 if none are given. \pre `by` is neither index nor quick.
 /// \throw InvalidInput for no point, weights that are negative, not finite or all 0, two points that no path
 /// joins, and as log_map().
 VOROGEO_API Centre frechet_mean(const Surface& surface, const PointList& points,
@@ -631,10 +630,10 @@ VOROGEO_API int medoid(const Surface& surface, const PointList& points,
 
 struct ClusterOptions {
   PointList points = {};             ///< empty: all vertices with a face
-  std::vector<double> weights = {};  ///< empty: 1 for each point, of vertices a third of their faces
+  std::vector<double> weights = {};  ///< empty: 1 for each point; a third of its faces' area for a vertex
   int rounds = 100;                  ///< at most
-  std::uint64_t seed = 0;            ///< of the random points to begin with
-  Answer by = Answer::automatic;     ///< of all vertices also quick
+  std::uint64_t seed = 0;            ///< of the random first centres
+  Answer by = Answer::automatic;     ///< may be quick for all vertices
   ProgressFunction progress = {};
 };
 struct Clusters {
@@ -642,9 +641,10 @@ struct Clusters {
   std::vector<int> label;      ///< the nearest centre of each point or vertex; -1 for one without a face
   std::vector<double> energy;  ///< at the beginning and after each round; never rises
 };
-/// Clusters whose centres are their means, of all vertices vertices near these (see relax()), so that the sum
-/// of weighted squared distances from the nearest centre falls. \throw InvalidInput for a count below 1 or
-/// above that of different points, fewer than the components that these lie on, and as frechet_mean().
+/// Clusters whose centres are their means (vertices near the means where all vertices are clustered, see
+/// relax()), so that the sum of weighted squared distances from the nearest centre falls. \throw InvalidInput
+/// for a count below 1, above the number of different points or below that of the components they lie on, and
+/// as frechet_mean().
 VOROGEO_API Clusters k_means(const Surface& surface, int count, const ClusterOptions& options = {});
 /// The same with the sum of weighted distances; centres are points of the list.
 VOROGEO_API Clusters k_medoids(const Surface& surface, int count, const ClusterOptions& options = {});
@@ -656,25 +656,25 @@ struct SignedDistanceOptions {
   ProgressFunction progress = {};
 };
 /// The distance of every vertex from closed curves, at most 1.3e-6 of a typical edge too long: negative
-/// inside, on the side without border of the surface, else the smaller one. A curve is a line whose
+/// inside, on the side without border of the surface, else on the smaller side. A curve is a line whose
 /// consecutive points share a face and which ends where it begins, such as the `surface_points` of a closed
 /// path. \throw InvalidInput for curves that are open, cross or touch, or do not separate the surface, and
 /// where the metric jumps at edges.
 VOROGEO_API std::vector<double> signed_distance(const Surface& surface,
                                                 const std::vector<std::vector<SurfacePoint>>& curves,
                                                 const SignedDistanceOptions& options = {});
-/// The same from the border of a region, negative in it; `in_region` says of each face whether it belongs.
+/// The same from the border of a region, negative in it; `in_region` says of each face whether it is in it.
 VOROGEO_API std::vector<double> signed_distance(const Surface& surface, const std::vector<bool>& in_region,
                                                 const SignedDistanceOptions& options = {});
 
-/// Of exact distances between points that keep their weights in their faces. Where several paths are
-/// shortest, of one of them; nothing where both points are one, or no path leads. \throw InvalidInput with a
-/// metric.
+/// The gradient of exact distances between points that keep their weights in their faces. Where several paths
+/// are shortest, it is that of one of them; it has no entries where both points are one, or no path leads.
+/// \throw InvalidInput with a metric.
 VOROGEO_API DistanceGradient distance_gradient(const Surface& surface, const PointList& from,
                                                const PointList& to, const TaskOptions& options = {});
 
 struct CutLocusOptions {
-  double min_angle = 0.0;      ///< ends of lines are left out up to where directions differ by so much
+  double min_angle = 0.0;      ///< ends of lines are cut back to where directions differ by so much
   double limit = unreachable;  ///< only within this distance
   ProgressFunction progress = {};
 };
@@ -687,9 +687,9 @@ struct CutLocus {
   std::vector<double> distance;  ///< by point
   std::vector<double> angle;     ///< by point: between the directions in which its shortest paths arrive
 };
-/// Exact where it crosses edges, straight in faces. On a polyhedron it has a line to each convex vertex; a
-/// least angle leaves those out that a smooth surface has not. \throw InvalidInput for no source, an angle
-/// that is not from 0 to pi, and where the metric jumps at edges.
+/// Exact where it crosses edges, straight in faces. On a polyhedron it has a line to each convex vertex;
+/// `min_angle` leaves out those that a smooth surface does not have. \throw InvalidInput for no source, an
+/// angle that is not from 0 to pi, and where the metric jumps at edges.
 VOROGEO_API CutLocus cut_locus(const Surface& surface, const PointList& sources,
                                const CutLocusOptions& options = {});
 

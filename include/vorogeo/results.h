@@ -12,9 +12,9 @@ inline namespace v0 {
 
 /// How a question is answered.
 enum class Answer : std::uint8_t {
-  automatic,  ///< by what costs least: exactly what reaches a small part of the surface; all else by the
-              ///< index if there is one, otherwise exactly until an index has become worth its build; but
-              ///< fields of more than two million vertices are quick without an index
+  automatic,  ///< by what costs least: questions that reach a small part of the surface exactly; all others
+              ///< by the index if there is one, otherwise exactly until an index has become worth its build;
+              ///< but fields of more than two million vertices are quick without an index
   index,      ///< by the index, which is built if there is none
   exact,      ///< by exact propagation over the faces
   quick  ///< fields only: below a tenth of a percent off in the mean, on large meshes in a third to a tenth
@@ -28,23 +28,23 @@ struct SparseDistances {
   std::vector<double> distance;
 };
 
-/// For each query `count` positions in the set and distances from there, nearest first, of equal ones the
-/// smaller position; -1 and `unreachable` where fewer can be reached.
+/// For each query, the positions in the set of the `count` nearest points, nearest first (of equally near
+/// ones, the smaller position first), and their distances; -1 and `unreachable` where fewer can be reached.
 struct NearestOfSet {
   std::vector<int> position;
   std::vector<double> distance;
 };
 
-/// By point of a path, in space but for the length. Normals are those of most faces, whichever way some are
-/// turned.
+/// By point of a path, in space except for the length. Normals are those of most faces, also where some are
+/// flipped.
 struct Profile {
   std::vector<double> along;   ///< length of the path up to the point
   std::vector<double> height;  ///< of the point in the direction `up`
-  /// Of the normal with `up`, in radians: 0 on level ground turned upwards, pi/2 on a wall.
+  /// Angle between the normal and `up`, in radians: 0 on level ground that faces up, pi/2 on a wall.
   std::vector<double> angle;
-  /// Of the surface in the direction of the path: 1/r along a great circle of a sphere whose normals lead
-  /// outwards, negative in hollows. From normals interpolated between those of the vertices, and as rough as
-  /// they are: by how much these tilt forwards over the steps beside the point.
+  /// Curvature of the surface in the direction of the path: 1/r along a great circle of a sphere whose
+  /// normals point outwards, negative in hollows. It is how much the normals tilt forwards over the steps
+  /// beside the point; these are interpolated between those of the vertices, and as rough.
   std::vector<double> curvature;
   std::vector<double> thickness;  ///< from the point against the normal to the next face; `unreachable`: none
 };
@@ -82,8 +82,8 @@ struct Band {
 struct RegionArea {
   double area = 0.0;           ///< that over a gap does not count
   double border_length = 0.0;  ///< where faces are inside on one side only; borders of the surface count
-  /// That it encloses in space, if each of its edges has two of its faces; otherwise NaN. Cavities, whose
-  /// faces are turned inwards, do not count.
+  /// Volume that the region encloses in space, if each of its edges has two of its faces; otherwise NaN.
+  /// Cavities, whose faces are turned inwards, do not count.
   double volume = std::numeric_limits<double>::quiet_NaN();
 };
 

@@ -59,8 +59,8 @@ inline void require_values(std::size_t values, std::size_t elements, const char*
 
 // ---- Surfaces and sources from VCG meshes
 
-/// The surface of a VCG mesh, which is copied and may change or go afterwards. \throw InvalidInput also for a
-/// face that names no vertex, a deleted one or one of another mesh.
+/// The surface of a VCG mesh, which is copied and may change or be destroyed afterwards. \throw InvalidInput
+/// also for a face that names no vertex, a deleted one or one of another mesh.
 template <class VcgMesh>
 Surface from_vcg(const VcgMesh& mesh, SurfaceOptions options = {}) {
   std::vector<Point> positions;
@@ -107,9 +107,9 @@ std::vector<bool> selected_faces(const VcgMesh& mesh) {
   return selected;
 }
 
-/// Points of the surface nearest to an edge mesh: its vertices, and along its edges more, at most `spacing`
-/// apart. As sources they stand for the curves. \throw InvalidInput for a spacing that is not above 0, or one
-/// of which an edge would need more than ten million.
+/// The points of the surface nearest to those of an edge mesh: to its vertices, and to points along its
+/// edges, at most `spacing` apart. As sources they stand for the curves. \throw InvalidInput for a spacing
+/// that is not above 0, or one that would give an edge more than ten million points.
 template <class VcgMesh>
 PointList points_along(const Surface& surface, const VcgMesh& curves, double spacing) {
   vcg_detail::require(
@@ -138,7 +138,7 @@ PointList points_along(const Surface& surface, const VcgMesh& curves, double spa
 
 // ---- Answers into VCG meshes
 
-/// A value for each vertex into their quality; `quality_without_distance` where it is not finite.
+/// Writes a value for each vertex into its quality; `quality_without_distance` where it is not finite.
 template <class VcgMesh>
 void write_quality(VcgMesh& mesh, const std::vector<double>& values) {
   vcg_detail::require(vcg::tri::HasPerVertexQuality(mesh),
@@ -151,7 +151,7 @@ void write_quality(VcgMesh& mesh, const std::vector<double>& values) {
   }
 }
 
-/// A colour for each region into the faces, for example of VoronoiRegions::face_region; grey for -1.
+/// Colours the faces by region, for example by VoronoiRegions::face_region; grey for -1.
 template <class VcgMesh>
 void color_faces(VcgMesh& mesh, const std::vector<int>& region) {
   vcg_detail::require(vcg::tri::HasPerFaceColor(mesh),
