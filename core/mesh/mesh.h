@@ -55,8 +55,7 @@ struct GapBridges {
 /// Faces split at the middles of their sides, where a metric varies too much for one triangle
 /// (metric.h).
 struct FaceSplits {
-  /// By added vertex, numbered after the given ones: the ends of the line whose middle it is; both come
-  /// first.
+  /// By vertex added after the given ones: the ends of the line whose middle it is; both have lower numbers.
   std::vector<std::array<Index, 2>> middle_of;
   /// All faces, the parts of a face in its place.
   std::vector<std::array<Index, 3>> faces;
@@ -245,7 +244,7 @@ class Mesh {
   std::span<const Index> corners(Index vertex) const {
     return {corners_.data() + corner_begin_[vertex], corners_.data() + corner_begin_[vertex + 1]};
   }
-  /// Calls visit(half-edge, other end) for both edges of each corner at a vertex: once a face of an edge.
+  /// Calls visit(half-edge, other end) for both edges of each corner at a vertex: each edge once per face.
   template <class Visit>
   void for_each_side_at(Index vertex, Visit&& visit) const {
     for (const Index corner : corners(vertex)) {
