@@ -1,5 +1,5 @@
 // Fingerprint of a mesh: equal for equal geometry and connectivity, different after any edit and in any other
-// metric.
+// metric that an index can have.
 #pragma once
 
 #include <array>

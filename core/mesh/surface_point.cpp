@@ -54,10 +54,10 @@ SurfacePoint validated(const Mesh& mesh, const SurfacePoint& point) {
   }
   if (!(std::abs(sum - 1.0) <= weight_tolerance)) refuse("which do not sum to 1");
   SurfacePoint result = point;
-  double kept = 0.0;
-  for (double& weight : result.barycentric) kept += weight = weight > weight_rounding ? weight : 0.0;
+  double total = 0.0;
+  for (double& weight : result.barycentric) total += weight = weight > weight_rounding ? weight : 0.0;
   for (int i = 0; i < 3; ++i) {
-    result.barycentric[i] /= kept;
+    result.barycentric[i] /= total;
     if (result.barycentric[i] == 1.0) return SurfacePoint::at_vertex(mesh.face_vertices(point.face)[i]);
   }
   return result;
@@ -126,20 +126,19 @@ bool weights_in_face(const Mesh& mesh, const SurfacePoint& point, Index face,
     weights = point.barycentric;
     return true;
   }
-  double found = 0.0;
+  double weight_at_vertex = 0.0;
   for (int k = 0; k < 3; ++k) {
     const Index v = mesh.face_vertices(face)[k];
     if (point.is_vertex()) {
       weights[k] = v == point.vertex ? 1.0 : 0.0;
-      found += weights[k];
+      weight_at_vertex += weights[k];
       continue;
     }
     for (int i = 0; i < 3; ++i) {
       if (mesh.face_vertices(point.face)[i] == v) weights[k] = point.barycentric[i];
     }
-    found += weights[k];
   }
-  if (point.is_vertex()) return found > 0.0;
+  if (point.is_vertex()) return weight_at_vertex > 0.0;
   for (int i = 0; i < 3; ++i) {
     if (point.barycentric[i] == 0.0) continue;
     const Index v = mesh.face_vertices(point.face)[i];

@@ -47,7 +47,7 @@ std::size_t WindowTree::bytes() const {
   return bytes_of(distance_) + bytes_of(is_source_) + bytes_of(is_settled_) + bytes_of(needed_) +
          bytes_of(touched_) + bytes_of(apex_distance_) + bytes_of(apex_entry_) +
          bytes_of(touched_halfedges_) + bytes_of(settled_) + bytes_of(pool_) + bytes_of(free_) +
-         bytes_of(ordered_);
+         bytes_of(ordered_) + geometry_->memory_bytes();
 }
 
 void WindowTree::reset() {

@@ -283,16 +283,16 @@ class ShortTermVectors final : public GeodesicMethod {
     VertexSearch search(mesh().vertex_count(), sources);
     // The spoke by which a vertex is reached from its predecessor: no_spoke at sources.
     std::vector<std::size_t> reached_by(is_disk_.size(), no_spoke);
-    std::vector<Index> before(is_disk_.size(), no_index);
+    std::vector<Index> predecessor(is_disk_.size(), no_index);
     for (Index v = search.settle_next(); v != no_index; v = search.settle_next()) {
       for (std::size_t s = begin_[v]; s < begin_[v + 1]; ++s) {
         const Index w = spokes_[s].target;
         if (search.is_settled(w)) continue;
-        const double found = over(v, spokes_[s], search.distances(), before, reached_by);
+        const double found = over(v, spokes_[s], search.distances(), predecessor, reached_by);
         // Of paths equal up to rounding, the first is kept: it has the fewest edges, so the longest memory.
         if (found < search.distance(w) * (1.0 - 1e-12)) {
           search.lower(w, found);
-          before[w] = v;
+          predecessor[w] = v;
           reached_by[w] = s;
         }
       }
@@ -318,7 +318,7 @@ class ShortTermVectors final : public GeodesicMethod {
   }
 
   double over(Index v, const Spoke& last, const std::vector<double>& distance,
-              const std::vector<Index>& before, const std::vector<std::size_t>& reached_by) const {
+              const std::vector<Index>& predecessor, const std::vector<std::size_t>& reached_by) const {
     double least = distance[v] + last.length;
     // v in the origin, w on the x axis; the chain is laid backwards from there.
     double x = 0.0;
@@ -327,8 +327,8 @@ class ShortTermVectors final : public GeodesicMethod {
     double sense = 1.0;      // in which angles at that vertex grow
     Index at = v;
     const Spoke* out = &last;
-    for (int i = 1; i < memory_ && is_disk_[at] != 0 && before[at] != no_index; ++i) {
-      const Index previous = before[at];
+    for (int i = 1; i < memory_ && is_disk_[at] != 0 && predecessor[at] != no_index; ++i) {
+      const Index previous = predecessor[at];
       const Spoke* in = back(at, previous);
       if (in == nullptr) break;
       direction += sense * (in->angle - out->angle);

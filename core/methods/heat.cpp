@@ -216,7 +216,7 @@ class Heat final : public GeodesicMethod {
       return static_cast<std::size_t>(factor.nonZeros()) * (sizeof(double) + sizeof(int)) +
              static_cast<std::size_t>(factor.cols()) * (2 * sizeof(double) + 3 * sizeof(int));
     };
-    return bytes_of(surface_.faces) + of_solver(diffusion_) + of_solver(poisson_);
+    return bytes_of(surface_.faces) + bytes_of(held_) + of_solver(diffusion_) + of_solver(poisson_);
   }
 
  private:

@@ -266,7 +266,7 @@ VirtualSources::Reached VirtualSources::beyond_bound(const FaceSource& seen, con
 }
 
 std::size_t VirtualSources::memory_bytes() const {
-  return faces_.capacity() * (sizeof(FaceSource) + sizeof(std::int64_t)) +
+  return faces_.capacity() * sizeof(FaceSource) + queue_.memory_bytes() +
          records_.capacity() * sizeof(FaceRecord) + vertices_.capacity() * sizeof(VertexRecord) +
          turning_.capacity() * sizeof(Index);
 }

@@ -112,7 +112,7 @@ class TimingWheel {
   }
 
   std::size_t memory_bytes() const {
-    std::size_t entries = 0;
+    std::size_t entries = falling_.capacity();
     for (const auto* vectors : {&slots_, &spare_}) {
       for (const auto& slot : *vectors) entries += slot.capacity();
     }
