@@ -4,7 +4,7 @@
 # Usage: tests/run.sh [--quick | --all]
 #   By default what a change needs before it lands: C++ and Python with the newest PyMeshLab, hostile meshes, and the contract,
 #   kernels and files under sanitizers; some 15 minutes on two cores after set-up.
-#   --quick: C++, Python and the newest PyMeshLab alone; some 3 minutes.
+#   --quick: C++, Python and the newest PyMeshLab alone; some 4 minutes.
 #   --all: also older PyMeshLab versions, the core for arm64 and with libc++, all wheels, recipes, peers' own tests, long fuzzing,
 #     and the real window of MeshLab in both versions. What needs the rights of root (and some 10 GB) is skipped where it cannot be run, with
 #     the reason.
