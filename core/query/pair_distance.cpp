@@ -161,8 +161,7 @@ double PairDistance::distance(Index from, Index to) {
   const double bound = bound_by_tables(source, target);
   if (is_solved(bound)) return exact_distance(source, target, bound);
   const double routed = route_length(source, target);
-  // Across such a narrow patch the border points lie close to both ends, where the error of a crossing is
-  // relatively largest.
+  // So short a route crosses borders close to both ends, where the error of a crossing is relatively largest.
   if (is_close(routed) && !data_.surface.mesh->has_metric()) return exact_distance(source, target, routed);
   return routed;
 }
