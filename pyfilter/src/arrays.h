@@ -83,12 +83,12 @@ auto to_numpy(std::vector<Value>&& values) {
 
 // ---- Points of the surface
 
-/// By point its vertex, or -1 and a face (a row of the faces given) with three weights. Faces and weights are
-/// empty if all points are vertices.
+/// For each point its vertex, or -1 and an input face with three weights. Faces and weights are empty if all
+/// points are vertices.
 using PointArrays = std::tuple<IdArray, IdArray, VertexArray>;
 using OptionalPoints = std::optional<PointArrays>;
 
-/// \throw InvalidInput for a row of the faces that was left out.
+/// \throw InvalidInput for a point in a face that does not exist or that the mesh left out.
 inline PointList points_from(const Mesh& mesh, const PointArrays& arrays) {
   const auto& [vertex, face, weights] = arrays;
   if (face.shape(0) == 0) return values_of(vertex);
@@ -100,8 +100,8 @@ inline PointList points_from(const Mesh& mesh, const PointArrays& arrays) {
   return points;
 }
 
-/// Points for Python, collected without the GIL, as InputMap gives them: the vertex or -1, a row of the faces
-/// given or -1, and the weights in it.
+/// Points for Python, filled without the GIL, as InputMap returns them: the vertex or -1, the input face or
+/// -1, and the weights in that face.
 struct PointColumns {
   std::vector<Index> vertex{};
   std::vector<Index> face{};
@@ -115,7 +115,7 @@ struct PointColumns {
   }
 };
 
-/// What Python gets of a part of an answer: arrays of vectors, three of points, anything else as it is.
+/// A part of an answer for Python: a vector becomes an array, points become three, the rest stays as it is.
 template <class Part>
 auto to_python(Part&& part) {
   return std::move(part);

@@ -1,4 +1,4 @@
-// What the classes of _core hold, how a question is asked without Python's lock, and what binds each part.
+// What the classes of _core hold, how a question is asked without the GIL, and the functions that bind them.
 #pragma once
 
 #include <cstdint>
@@ -55,8 +55,8 @@ inline PointColumns columns_of(const HeldSurface& held, const std::vector<Surfac
   return columns;
 }
 
-/// Paths for Python, collected without the GIL: lengths, certified, where the points of each path begin,
-/// positions, the points on the surface, and which of them begin a step over a gap.
+/// Paths for Python, collected without the GIL: lengths, whether they are certified, where the points of each
+/// path begin, positions, the points on the surface, and whether the step from each leads over a gap.
 inline auto paths_of(const HeldSurface& held, const std::vector<ExactPath>& paths) {
   std::vector<double> lengths;
   std::vector<Index> certified, over_gap;
@@ -85,7 +85,7 @@ inline About about(const Answered& answered) {
           answered.remark,      answered.expected_error, answered.unreached};
 }
 
-/// How arguments of a type are taken: None for a value that is missing, and no copy of what is filled.
+/// How an argument of a type is taken: None for a missing optional, and no copy of an array to be filled.
 template <class Argument>
 inline const auto taken = nb::arg();
 template <class Value>
@@ -93,8 +93,8 @@ inline const auto taken<const std::optional<Value>&> = nb::arg().none();
 template <class Entry>
 inline const auto taken<const OutArray<Entry>&> = nb::arg().noconvert();
 
-/// Binds a question as Python asks it, by a method (Answer) and with a progress function or None at the
-/// end. It is called without the GIL and returns a tuple, to which what answered is added.
+/// Binds a question, to which Python also passes a method (Answer) and a progress function or None, at the
+/// end. `question` runs without the GIL and returns a tuple, to which About is appended.
 template <class... Parts, class... Arguments>
 void bind_question(nb::class_<HeldSurface>& surface, const char* name,
                    std::tuple<Parts...> (*question)(const TaskOptions&, const HeldSurface&, Arguments...)) {

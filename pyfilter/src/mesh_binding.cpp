@@ -18,17 +18,17 @@ namespace {
 
 // ---- Reading a mesh
 
-/// What FaceSplits holds: ends of lines, faces, given faces, sides.
+/// The arrays of FaceSplits: middle_of, faces, given_face, sides.
 using SplitArrays = std::tuple<EdgeArray, FaceArray, IdArray, VertexArray>;
 
-/// Lengths of the sides of the faces, each opposite its corner; the number of points on each edge where its
-/// faces may disagree (0: they agree); the faces that are split; and drifts along the sides. Nothing for
-/// lengths in space.
+/// Lengths of the sides of the faces, each opposite its corner; the number of points on each edge if its
+/// faces may disagree on its length (0: they agree); the faces that are split; and drifts along the sides.
+/// None: lengths in space.
 using SideArrays =
     std::optional<std::tuple<VertexArray, Index, std::optional<SplitArrays>, std::optional<VertexArray>>>;
 
-/// Splits of the faces of a mesh of `vertices` and `given_faces`. \throw InvalidInput for numbers of vertices
-/// and faces that do not exist, and for faces without a given face or lengths: a metric may be a user's own.
+/// Splits of the faces of a mesh with `vertices` vertices and `given_faces` faces. \throw InvalidInput for
+/// vertices and faces that do not exist, and for arrays of unequal length: a user may write a metric.
 FaceSplits splits_of(const SplitArrays& arrays, std::size_t vertices, std::size_t given_faces) {
   const auto& [middle_of, faces, given_face, sides] = arrays;
   auto require = [](bool holds, const char* part, std::size_t row, const char* wanted) {
@@ -108,7 +108,7 @@ auto along_edges(const HeldMesh& self, const EdgeArray& ends, double spacing) {
   return to_python(std::move(columns));
 }
 
-/// The numbers of points along each line of a list of edges.
+/// The lines that edges form, each as the numbers of its points in order.
 nb::list ordered_lines(const EdgeArray& edges) {
   nb::list lines;
   for (auto& line : lines_in_order(rows_of<2>(edges), [](Index p) { return "point " + std::to_string(p); })) {
@@ -197,7 +197,7 @@ using SplitRows = std::tuple<Rows<Index, 2>, Rows<Index, 3>, Values<Index>, Side
 
 }  // namespace
 
-/// Lengths, edges shortened, faces split, and the parts of FaceSplits, or None.
+/// Lengths of sides, numbers of shortened edges and of split faces, and the arrays of FaceSplits or None.
 static std::tuple<SideRows, Index, Index, std::optional<SplitRows>> to_python(Metric&& found) {
   std::optional<SplitRows> splits;
   if (!found.splits.empty()) {
@@ -215,7 +215,7 @@ static auto to_python(Randers&& found) {
 
 namespace {
 
-/// A function of an array of grades, called with Python's lock.
+/// A Python function of an array of grades, to be called while the GIL is held.
 CostOfGrade for_core(const nb::callable& cost) {
   return [&cost](std::span<const double> grades) {
     const nb::object found = cost(to_numpy(std::vector<double>(grades.begin(), grades.end())));
@@ -228,7 +228,7 @@ Values<double> costs_at(const CostOfGrade& cost, const ValueArray& grades) {
   return to_numpy(cost(values_of(grades)));
 }
 
-// An argument of these functions as the core takes it.
+// The arguments of functions for metrics, as the core takes them.
 std::span<const double> for_core(const ValueArray& values) { return values_of(values); }
 auto for_core(const VertexArray& rows) { return rows_of<3>(rows); }
 auto for_core(const TensorArray& tensors) { return rows_of<9>(tensors); }

@@ -36,7 +36,7 @@ double pair(BoundMethod& self, Index source, Index target) {
   return self.method->pair(source, target);
 }
 
-/// By method: what vorogeo.MethodInfo takes.
+/// For each method, the fields of vorogeo.MethodInfo.
 nb::list describe() {
   nb::list rows;
   for (const MethodEntry& entry : all_methods()) {

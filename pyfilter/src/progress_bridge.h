@@ -65,8 +65,8 @@ class ProgressBridge {
     }
   }
 
-  /// A UserWarning at the line that called the package; if Python's filters make it an exception, that stops
-  /// the computation.
+  /// Issues a UserWarning at the line that called the package; if a warning filter of Python makes it an
+  /// exception, that stops the computation.
   bool warn(const std::string& sentence) {
     nb::gil_scoped_acquire acquire;
     Py_ssize_t level = 1;
@@ -83,7 +83,7 @@ class ProgressBridge {
     return module.starts_with("vorogeo.");
   }
 
-  /// Comparisons of numpy numbers give numpy's False, which prints as "False".
+  /// Also numpy's False, which comparisons of numpy numbers return.
   static bool is_false(nb::handle answer) {
     if (answer.ptr() == Py_False || answer.ptr() == Py_True || answer.is_none()) {
       return answer.ptr() == Py_False;

@@ -53,7 +53,7 @@ void build_index(const HeldSurface& self, nb::object progress) {
   bridge.run([&](const Progress& report) { return self.surface->build_index(report) != nullptr; });
 }
 
-/// Answers about the ways back.
+/// The surface that answers for the ways back: distances to points instead of from them.
 HeldSurface reversed(const HeldSurface& self) {
   nb::gil_scoped_release release;
   return {self.held_mesh, {self.surface, &self.surface->reversed()}};
@@ -96,7 +96,7 @@ nb::dict statistics(const HeldSurface& self) {
 
 // ---- Questions
 
-/// The distance of two vertices that are in range, from the index, with as little around it as possible.
+/// The distance of two vertices from the index, with as little overhead as possible. \pre Both exist.
 std::pair<double, double> vertex_distance(const HeldSurface& self, Index source, Index target) {
   nb::gil_scoped_release release;
   const Stopwatch watch;
@@ -129,8 +129,8 @@ auto paths(const TaskOptions& how, const HeldSurface& self, const PointArrays& s
       self, self.surface->paths({sources, targets}, how.by, {exact, certify}, *how.answered, how.progress));
 }
 
-/// Narrows the corridors of certified paths from this call on. \return the memory that the landmarks take,
-/// in bytes.
+/// Computes landmarks, and the index if there is none: they narrow the corridors of later certified paths.
+/// \return the memory that the landmarks take, in bytes.
 std::size_t use_landmarks(const HeldSurface& self, int count, nb::object progress) {
   ProgressBridge bridge(progress);
   return bridge.run([&](const Progress& report) {

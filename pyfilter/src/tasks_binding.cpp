@@ -44,7 +44,7 @@ std::span<Entry> entries_of(const OutArray<Entry>& out) {
   return {out.data(), out.shape(0) * out.shape(1)};
 }
 
-/// Without `columns`, the points of the rows are the columns.
+/// Without `columns`, the points of the rows serve as columns as well.
 template <class Entry>
 std::tuple<> fill_matrix(const TaskOptions& options, const HeldSurface& held, const PointArrays& rows,
                          const OptionalPoints& columns, int entries, const OutArray<Entry>& out) {
@@ -64,7 +64,7 @@ std::tuple<> fill_fields(const TaskOptions& options, const HeldSurface& held, co
   return {};
 }
 
-/// Where rows begin, columns, distances. Without `others`, pairs of `points`.
+/// Returns where each row begins, columns and distances. Without `others`, the pairs are those of `points`.
 auto within(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
             const OptionalPoints& others, double radius, std::int64_t max_bytes) {
   const PointList from = held.points(points);
@@ -81,20 +81,20 @@ auto nearest(const TaskOptions& options, const HeldSurface& held, const PointArr
 
 // ---- Curves
 
-/// The path that a task finds by points.
+/// The single path that `task` returns for a list of points.
 template <auto task, class... Arguments>
 auto path_by(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
              Arguments... arguments) {
   return paths_of(held, {task(*held.surface, held.points(points), arguments..., options)});
 }
 
-/// `curve`: no points if there is none.
+/// `curve` has no points if none is given.
 auto loop_through(const TaskOptions& options, const HeldSurface& held, const PointArrays& point,
                   const PointArrays& curve) {
   return paths_of(held, {shortest_loop(*held.surface, held.points(point)[0], held.points(curve), options)});
 }
 
-/// Section and loop as paths, the normal, the tape and its length. (x, y, z): the normal, if it is given.
+/// Section and loop as paths, the normal, the tape and its length. (x, y, z): the normal, if `is_given`.
 auto girth_at(const TaskOptions& options, const HeldSurface& held, const PointArrays& point, double x,
               double y, double z, bool is_given) {
   auto found = girth(*held.surface, held.points(point)[0],
@@ -126,7 +126,7 @@ auto profile_of(const TaskOptions&, const HeldSurface& held, const PointArrays& 
 
 // ---- Regions, samplings, lines and measures
 
-/// Regions and distances of vertices, regions of faces, areas, points and edges of borders, their regions.
+/// Regions and distances of vertices, regions of faces, areas; points and edges of borders, with two regions.
 auto voronoi(const TaskOptions& options, const HeldSurface& held, const PointArrays& points) {
   auto found = voronoi_regions(*held.surface, held.points(points), options);
   const InputMap map(held.mesh());
@@ -171,8 +171,8 @@ auto area_within(const TaskOptions& options, const HeldSurface& held, const Poin
   return std::tuple(found.area, found.border_length);
 }
 
-/// Positions, faces, the points of the new vertices, then by face the one given, the region and the side;
-/// edges.
+/// Positions, faces, the points of the new vertices; for each face its input face and its region; edges; for
+/// each face its side.
 auto cut_out(const HeldSurface& held, CutMesh&& cut) {
   const Mesh& mesh = held.mesh();
   std::vector<Point> positions = positions_of(mesh, cut.points);
@@ -207,8 +207,8 @@ auto cut_along_lines(const TaskOptions& options, const HeldSurface& held, const 
   return cut_out(held, cut_along(held.mesh(), lines_of(held, points, begin), options.progress));
 }
 
-/// Area, perimeter, corners, angles, curvature, what Gauss-Bonnet leaves, vertices, faces; then the legs as
-/// paths.
+/// Area, perimeter, corners, angles, curvature, the residual of Gauss-Bonnet, vertices, faces; then the legs
+/// as paths.
 template <auto task>
 auto polygon_by(const TaskOptions& options, const HeldSurface& held, const PointArrays& points) {
   GeodesicPolygon found = task(*held.surface, held.points(points), options);
@@ -229,7 +229,7 @@ auto columns_of_areas(const std::vector<RegionArea>& found) {
   return std::tuple(std::move(area), std::move(border_length), std::move(volume));
 }
 
-/// `label`: by row of the faces given.
+/// `label`: one for each input face.
 auto areas_of_regions(const TaskOptions& options, const HeldSurface& held, const IdArray& label,
                       std::size_t regions) {
   return columns_of_areas(
@@ -273,7 +273,7 @@ auto relax(const TaskOptions& options, const HeldSurface& held, const PointArray
 
 // ---- Directions
 
-/// Rows x axis, y axis and normal of each point.
+/// Three rows for each point: x axis, y axis and normal.
 auto axes_at(const TaskOptions&, const HeldSurface& held, const PointArrays& points) {
   std::vector<Point> rows;
   for (const auto& axes : tangent_frames(*held.surface, held.points(points))) {
@@ -282,7 +282,7 @@ auto axes_at(const TaskOptions&, const HeldSurface& held, const PointArrays& poi
   return std::tuple(std::move(rows));
 }
 
-/// Vectors and distances. Without `targets`, of all vertices.
+/// Vectors and distances of `targets`; without these, of all vertices.
 auto logarithms(const TaskOptions& options, const HeldSurface& held, const PointArrays& point,
                 const OptionalPoints& targets, double max_distance) {
   auto found = log_map(*held.surface, held.points(point)[0], held.points(targets), max_distance, options);
@@ -291,7 +291,7 @@ auto logarithms(const TaskOptions& options, const HeldSurface& held, const Point
   return std::tuple(map.of_vertices(std::move(found.vector)), map.of_vertices(std::move(found.distance)));
 }
 
-/// Vectors. Without `points`, of all vertices.
+/// The gradient at `points`; without these, at all vertices.
 auto gradients(const TaskOptions& options, const HeldSurface& held, const PointArrays& sources,
                const OptionalPoints& points, double max_distance) {
   return std::tuple(
@@ -309,7 +309,7 @@ auto carried_to_vertices(const TaskOptions& options, const HeldSurface& held, co
       transport_from(*held.surface, held.points(point)[0], rows_of<2>(vector)[0], max_distance, options));
 }
 
-/// Points and lengths of lines.
+/// End points and lengths of straightest lines.
 auto line_ends(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
                const TangentArray& vectors, bool slides) {
   PointColumns columns;
@@ -337,7 +337,7 @@ auto medoid_of(const TaskOptions& options, const HeldSurface& held, const PointA
   return std::tuple(medoid(*held.surface, held.points(points), values_of(weights), options));
 }
 
-/// Centres, labels, energy by round. Without `points`, of all vertices.
+/// Centres, labels, and the energy of each round. Without `points`, all vertices are clustered.
 auto clusters(const TaskOptions& options, const HeldSurface& held, Index count, const OptionalPoints& points,
               const ValueArray& weights, int power, Index rounds, std::uint64_t seed) {
   auto found = clusters_of(*held.surface, count, held.points(points), values_of(weights),
@@ -352,7 +352,7 @@ auto signed_by_lines(const TaskOptions& options, const HeldSurface& held, const 
   return std::tuple(signed_distance(*held.surface, lines_of(held, points, begin), max_distance, options));
 }
 
-/// `in_region`: by face that was given.
+/// `in_region`: one flag for each input face.
 auto signed_by_region(const TaskOptions& options, const HeldSurface& held, const FlagArray& in_region,
                       double max_distance) {
   return std::tuple(signed_distance(*held.surface, values_of(in_region), max_distance, options));
@@ -373,7 +373,7 @@ auto cut_locus_of(const TaskOptions& options, const HeldSurface& held, const Poi
                     std::move(found.distance), std::move(found.angle), columns_of(held, found.points));
 }
 
-/// Coordinates by vertex, stretch by face that was given.
+/// Coordinates of each vertex, stretch of each input face.
 auto texture(const TaskOptions& options, const HeldSurface& held, const PointArrays& point, double radius,
              double rotation, double scale) {
   auto found = texture_coordinates(*held.surface, held.points(point)[0], {radius, rotation, scale}, options);
@@ -435,7 +435,7 @@ void bind_tasks(nb::class_<HeldSurface>& surface) {
 
 namespace {
 
-/// Creates the file: `head`, followed by `size` bytes of space.
+/// Creates the file: `head`, followed by `size` reserved bytes.
 OutputFile* make(const std::filesystem::path& file, const std::string& what, const nb::bytes& head,
                  std::uint64_t size) {
   nb::gil_scoped_release release;
