@@ -10,7 +10,7 @@ methods of ``pymeshlab.MeshSet``.
 from importlib.metadata import version as _version
 from types import ModuleType as _ModuleType
 
-try:  # what is missing, or made for another system, is said in one sentence
+try:  # a binary that is missing or made for another system is reported in one sentence
     import numpy as _numpy  # noqa: F401
 
     from . import _core as _core

@@ -18,7 +18,7 @@ _INT32 = np.iinfo(np.int32)
 
 def as_numpy(value: Any) -> NDArray[Any]:
     """An array of any library on the CPU, without a copy where that is possible."""
-    if getattr(value, "requires_grad", False):  # torch refuses what it records gradients of
+    if getattr(value, "requires_grad", False):  # torch refuses to convert tensors that record gradients
         value = value.detach()
     if hasattr(value, "__dlpack__") and not hasattr(value, "__array__"):
         return np.from_dlpack(value)
@@ -97,7 +97,7 @@ def faces(value: ArrayLike, vertex_count: int) -> NDArray[np.int32]:
 
 
 def kept(array: NDArray[Any], given: Any) -> NDArray[Any]:
-    """A read-only array that the caller cannot change, even if it is the one given."""
+    """The array read-only, as a copy if the caller could change it through the one given."""
     own = array.copy() if np.may_share_memory(array, as_numpy(given)) else array
     own.flags.writeable = False
     return own
@@ -246,7 +246,7 @@ def file_path(value: str | os.PathLike[str]) -> str:
 
 
 def length(name: str, value: Any, otherwise: str = "") -> float:
-    """A length of 0 or more; infinity is allowed. `otherwise`: what else the caller takes."""
+    """A length of 0 or more; infinity is allowed. `otherwise`: what else is accepted, for the message."""
     wanted = f"a length of 0 or more in the unit of the vertices{otherwise}"
     number = real(name, value, wanted)
     if number < 0:
@@ -255,7 +255,7 @@ def length(name: str, value: Any, otherwise: str = "") -> float:
 
 
 def angle(name: str, value: Any) -> float:
-    """An angle between two directions."""
+    """An angle in [0, pi]."""
     wanted = "an angle from 0 to pi, in radians"
     number = real(name, value, wanted)
     if not 0 <= number <= math.pi:

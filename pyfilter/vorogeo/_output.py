@@ -20,7 +20,7 @@ from .errors import InvalidInput
 Output = str | os.PathLike[str] | NDArray[Any] | None
 _Report = Callable[[float, str], object] | None
 
-#: Of a mapped file, this much is filled before its pages leave the process; the file keeps them.
+#: While a mapped file is filled, its pages are released each time so many bytes are written; the file keeps them.
 _MAPPED_BYTES = 2**28
 
 
@@ -122,7 +122,7 @@ def _given(rows: int, columns: int, out: NDArray[Any], dtype: DTypeLike | None) 
 
 
 def releasing(array: NDArray[Any], report: _Report) -> _Report:
-    """The progress function; while a large file is filled, it also hands the pages written back to the system."""
+    """The progress function; while a large mapped file is filled, it also releases the pages that are written."""
     mapped: mmap.mmap | None = getattr(array, "_mmap", None)
     if mapped is None or array.nbytes <= _MAPPED_BYTES or not hasattr(mmap, "MADV_DONTNEED"):
         return report

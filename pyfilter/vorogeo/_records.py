@@ -1,4 +1,4 @@
-"""Results that say what a field is beside its name and type, from where their documentation takes it."""
+"""Classes of results whose fields carry their description, from which the class documentation is completed."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ _Class = TypeVar("_Class", bound=type)
 
 
 def doc(text: str, **how: Any) -> Any:
-    """A field of a dataclass, and what it is. `how`: as for `dataclasses.field`."""
+    """A field of a dataclass with its description. `how`: as for `dataclasses.field`."""
     return dataclasses.field(metadata={"doc": text}, **how)
 
 
 def documented(record: _Class) -> _Class:
-    """A dataclass, or a named tuple of Annotated types, with its fields in its documentation."""
+    """Adds the fields of a dataclass, or of a named tuple of Annotated types, to its documentation."""
     lines = ["", "", "Attributes", "----------"]
     for head, text in _fields(record):
         lines += [head, textwrap.indent(textwrap.fill(text, 112), "    ")]

@@ -30,7 +30,7 @@ class Labels:
     Attributes
     ----------
     values : ndarray of int32, shape (n,)
-        The label of each vertex; of annotations the position in `names`, -1 for none.
+        The label of each vertex; from an annotation file a key of `names`, or -1 for no label.
     names : dict of int to str
         Names of labels, where the file has some.
     """
@@ -96,12 +96,12 @@ def read_labels(file: str | os.PathLike[str], vertex_count: int | None = None) -
 
 
 def read_mask(file: str | os.PathLike[str], vertex_count: int | None = None) -> NDArray[np.bool_]:
-    """What belongs to the surface, for `mask=`, from a file of labels or of values.
+    """Which vertices or faces belong to the surface, for `mask=`, from a file of labels or of values.
 
     Parameters
     ----------
     file : str or path
-        An annotation or GIFTI labels: all but the medial wall and what else has a name in `OUTSIDE`. A FreeSurfer
+        An annotation or GIFTI labels: all but the medial wall and other labels with a name in `OUTSIDE`. A FreeSurfer
         .label, such as lh.cortex.label: its vertices. Values in GIFTI or .npy: all but 0 and NaN.
     vertex_count : int, optional
         Needed for .label files.
@@ -109,7 +109,7 @@ def read_mask(file: str | os.PathLike[str], vertex_count: int | None = None) -> 
     Returns
     -------
     ndarray of bool, shape (n,)
-        Or (m,), of a .npy file with a value for each face. Errors are those of `read_labels`.
+        Shape (m,) for a .npy file with a value for each face. Errors are those of `read_labels`.
     """
     path = check.file_path(file)
     if path.lower().endswith((".label", ".annot")):
@@ -135,7 +135,7 @@ def _loaded(path: str, reader: str) -> Any:
 
 
 def vertex_values(path: str) -> tuple[NDArray[Any], dict[int, str]]:
-    """One value for each vertex, of GIFTI or .npy, and of GIFTI labels their names; errors as by `read_labels`."""
+    """One value for each vertex from GIFTI or .npy, and the names of GIFTI labels; errors as in `read_labels`."""
     names: dict[int, str] = {}
     if path.lower().endswith(".npy"):
         try:
@@ -169,8 +169,8 @@ def _checked(surface: Surface, labels: ArrayLike | Labels) -> NDArray[Any]:
 def label_borders(surface: Surface, labels: ArrayLike | Labels, label: int | None = None) -> SurfacePoints:
     """Points along the borders between labels, at most a quarter of an edge from the next.
 
-    A border crosses an edge between two labels in its middle, goes straight through a face, and three meet in its
-    centre.
+    A border crosses an edge between two labels at its midpoint and is straight inside a face; where a face has three
+    labels, the three borders meet at its centre.
 
     Parameters
     ----------
@@ -178,7 +178,7 @@ def label_borders(surface: Surface, labels: ArrayLike | Labels, label: int | Non
         Or `GeodesicIndex`; masked faces have no border.
     labels : Labels or array_like of int, shape (n,)
     label : int, optional
-        Only the borders of this one; None is all. One that no vertex has is an error.
+        Only the borders of this label; None is all. A label that no vertex has is an error.
     """
     values = _checked(surface, labels)
     if label is not None:
@@ -236,7 +236,7 @@ def nearest_label(
     surface, labels
         As for `label_borders`.
     background : int or iterable of int, default (-1, 0)
-        Values that are no label; these vertices get one.
+        Values that are no label; vertices with these values get the nearest label.
     max_distance, method
         As for `Surface.distance_field`.
 
@@ -245,7 +245,7 @@ def nearest_label(
     label : ndarray of int32, shape (n,)
         -1 where no labelled vertex can be reached.
     distance : ndarray of float64, shape (n,)
-        From it; 0 for labelled vertices.
+        From that vertex; 0 for labelled vertices.
 
     Raises
     ------

@@ -28,14 +28,14 @@ _BLOCK_BYTES = 2**25
 
 @dataclass(frozen=True)
 class IndexFiles:
-    """Where workers find an index and its mesh: an index file, and the mesh as a pickle; and its vertices."""
+    """Where workers find an index file and its mesh as a pickle; and the number of vertices."""
 
     index: str
     mesh: str
     vertex_count: int
 
     def open(self) -> GeodesicIndex:
-        """The index, read once in each process; its calls use one thread, as workers have several."""
+        """The index, read once in each process; its calls use one thread, as a worker runs several tasks at a time."""
         return _opened(self)
 
 
@@ -54,7 +54,7 @@ def write_files(
     gap: float = 0.0,
     bridge_folds: bool = False,
 ) -> IndexFiles:
-    """Put what workers need into a folder that all of them see; an index file needs its mesh beside it."""
+    """Put what workers need into a folder that all of them see; with an index file, its mesh must be given."""
     if not isinstance(index, GeodesicIndex):
         if isinstance(index, Surface):
             raise InvalidInput("index: is a surface; give a GeodesicIndex, or the file of an index and its mesh.")
@@ -82,7 +82,7 @@ def matrix_rows(
 
 
 def blocks_of(count: int, columns: int, itemsize: int, rows: int | None) -> list[tuple[int, int]]:
-    """First and last row of each block; by default blocks of 32 MiB, and eight at least."""
+    """First row of each block and the row after its last; by default blocks of 32 MiB, and at least eight."""
     height = rows or max(1, min(_BLOCK_BYTES // max(1, columns * itemsize), -(-count // 8)))
     return [(first, min(count, first + height)) for first in range(0, count, height)]
 
@@ -113,14 +113,14 @@ def matrix(
     mesh : (vertices, faces) or a file that `read_mesh` reads, optional
         Needed with an index file.
     mask, metric, gap, bridge_folds
-        Those that the index of the file was built with.
+        Those with which the index in the file was built.
     method : str, optional
         As for `Surface`: "exact" propagates instead of asking the index.
     rows : int, optional
-        Of each block; None is about 32 MiB.
+        Rows of each block; None is as many as take some 32 MiB.
     folder : str or path, optional
-        Where the index and the mesh are put for the workers, which must see it; None is a temporary folder that goes
-        with the array.
+        Where the index and the mesh are put for the workers, which must see it; None is a temporary folder that is
+        deleted with the array.
 
     Returns
     -------

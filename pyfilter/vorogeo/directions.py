@@ -17,7 +17,7 @@ from .tasks import Tasks
 
 
 class Directions(Tasks):
-    """What `Surface` answers about directions, always exactly; what questions share stands in its notes."""
+    """The part of `Surface` that answers questions about directions; what all questions share stands in its notes."""
 
     def tangent_frames(self, points: Points) -> NDArray[np.float64]:
         """The frames in which directions at points are given: x axis, y axis and normal, as unit vectors in space.
@@ -25,13 +25,13 @@ class Directions(Tasks):
         At a vertex, the x axis runs along the edge that leaves it in the last face that has the vertex (on a border,
         along the border edge after which the faces follow), and angles are scaled so that those of the faces sum to
         2 pi, on a border to pi. In a face, it runs from the first corner to the second. A point on an edge takes the
-        first of the faces there. So frames are those of geometry-central and potpourri3d. Not with a metric, whose
-        angles are not those in space.
+        first of the faces there. These are the frames of geometry-central and potpourri3d. With a metric, whose angles
+        are not those in space, they are refused.
 
         Returns
         -------
         ndarray, shape (k, 3, 3)
-            Of each point three rows. The normal of a vertex is the mean of those of its faces, weighted by their
+            Three rows for each point. The normal of a vertex is the mean of the normals of its faces, weighted by their
             angles; its x axis is the sum of all edges, projected along the normal and each turned back by its angle.
         """
         rows = self._rows("points", points)
@@ -54,16 +54,17 @@ class Directions(Tasks):
         Parameters
         ----------
         point : a vertex id, or SurfacePoints with one point
-            Not a vertex whose faces are no fan, on an edge of three faces or more, or in a face without area.
+            Refused are a vertex whose faces form no fan, and points on an edge of three faces or more or in a face
+            without area.
         targets : k points, optional
-            None for all vertices. Vertices are searched for only as far as they are.
+            None for all vertices. If all targets are vertices, propagation ends at the farthest of them.
         max_distance : float, optional
             Vectors longer than this become NaN; None for no limit.
         return_distance : bool, default False
             Whether to return also the lengths of the vectors.
         method : {"exact", "index"}, default "exact"
-            From an index (built if there is none) in some 2 to 3 of its fields: exact around the point; elsewhere off
-            by .01 to .45 degrees in the mean, in faces by up to .5, by more where two paths are almost equally long.
+            "index" (built if there is none) takes as long as 2 to 3 of its fields: exact around the point; elsewhere
+            off by .01 to .45 degrees in the mean, in faces by up to .5, more where two paths are almost equally long.
 
         Returns
         -------
@@ -87,8 +88,8 @@ class Directions(Tasks):
         """The gradient of the distance from the nearest source: which way leads straight away from it.
 
         At each vertex or point a vector of length 1 in its frame (`tangent_frames`), against the direction in which the
-        shortest path to the source begins: exact, not the slope of a field that is linear in the faces. Where several
-        paths are shortest, of any of them. Always exact, with an index as well.
+        shortest path to the source begins: exact, not the slope of a field that is linear in the faces. Where there are
+        several shortest paths, any of them counts. Always exact, even if there is an index.
 
         Parameters
         ----------
@@ -101,11 +102,11 @@ class Directions(Tasks):
         Returns
         -------
         ndarray, shape (n, 2) or (k, 2)
-            NaN at sources, where no path leads, and at vertices that have no frame; a point without one is refused.
+            NaN at sources, where no path leads, and at vertices without a frame; `points` without a frame are refused.
 
         Notes
         -----
-        An exact field that keeps its windows, as an exact path does.
+        Takes an exact field that keeps all windows, as for an exact path.
         """
         ends = None if points is None else self._rows("points", points)
         limit, rows = check.max_distance(max_distance), self._rows("sources", sources, 1)
@@ -120,7 +121,7 @@ class Directions(Tasks):
         Parameters
         ----------
         path : GeodesicPath, or k points
-            Of consecutive points, each two share a face.
+            Consecutive points share a face.
         vectors : array_like, shape (2,) or (k, 2)
             In the frame of the first point (`tangent_frames`).
 
@@ -131,7 +132,7 @@ class Directions(Tasks):
 
         Notes
         -----
-        O(points). To all vertices, `transport_from`; to other points, take the paths of `path(p, points)`.
+        O(points). For all vertices, use `transport_from`; for other points, the paths of `path(p, points)`.
         """
         rows, along = self._curve_rows(path), check.positions("vectors", vectors, 2)
         return self._array(self._shared.core.transport, rows, along, method="exact")
@@ -156,12 +157,12 @@ class Directions(Tasks):
         Returns
         -------
         ndarray, shape (n, 2)
-            In the frames of the vertices. NaN where no path leads, and where there is no frame. Where several paths are
-            shortest, along one of them. Always exact, with an index as well.
+            In the frames of the vertices. NaN where no path leads, and where there is no frame. Where there are several
+            shortest paths, along one of them. Always exact, even if there is an index.
 
         Notes
         -----
-        An exact field that keeps its windows, and a trace to each vertex from where the path to it turns last.
+        Takes an exact field that keeps all windows, and for each vertex a trace from where its path turns last.
         """
         source, limit = self._one_row("point", point), check.max_distance(max_distance)
         along = check.positions("vector", vector, 2)
@@ -177,15 +178,15 @@ class Directions(Tasks):
     ) -> NDArray[np.float64]:
         """The distance of every vertex from closed curves or the border of a region: negative inside.
 
-        Inside closed curves is the side without border of the surface, else the smaller one, whichever way the curves
-        run; in each component on its own. `isolines(field, [-w, w], "linear")` are the inner and the outer offset.
+        The inside of closed curves is the side without border of the surface, else the smaller one, whichever way the
+        curves run; each component has its own. `isolines(field, [-w, w], "linear")` are the inner and the outer offset.
 
         Parameters
         ----------
         curves : GeodesicPath or points, or a list of these; or array of bool, shape (m,)
             Lines whose consecutive points share a face and which end where they begin, such as those of
-            `path_through(points, closed=True)` and `tighten`; they neither cross nor touch. Of bool: which faces belong
-            to a region, in which distances from its border are negative.
+            `path_through(points, closed=True)` and `tighten`; they neither cross nor touch. An array of bool says which
+            faces belong to a region, inside which distances from its border are negative.
         max_distance : float, optional
             Distances beyond it become infinite, with their sign; None for no limit.
 
@@ -193,7 +194,7 @@ class Directions(Tasks):
         -------
         ndarray, shape (n,)
             From the lines themselves, straight in each face: at most 1.3e-6 of a typical edge too long. Infinity on
-            components without a curve. Always exact, with an index as well.
+            components without a curve. Always exact, even if there is an index.
         """
         limit, core = check.max_distance(max_distance), self._shared.core
         if isinstance(curves, np.ndarray) and curves.dtype == np.bool_:
@@ -215,9 +216,9 @@ class Directions(Tasks):
     ) -> DistanceGradient:
         """How exact distances of pairs change with the positions of the vertices.
 
-        Of each pair only the vertices of the faces that the path crosses count. Points keep their vertices, or their
-        weights in their faces. Where several paths are shortest, the derivative is that of one of them; where both
-        points are one, or no path leads, it has no entries. Not with a metric.
+        A pair has entries only for the vertices of the faces that its path crosses. Points stay at their vertices, or
+        keep their weights in their faces. Where there are several shortest paths, the derivative is that of one of
+        them; where both points coincide, or no path joins them, there are no entries. Refused with a metric.
 
         Parameters
         ----------
@@ -244,17 +245,18 @@ class Directions(Tasks):
     ) -> CutLocus:
         """The points that several shortest paths reach from a source, as lines over the surface.
 
-        Without it, the surface can be laid out from the source: a closed one is one disk for each source. From several
-        sources, also the borders of their Voronoi regions: the ridge of the field. Exact where it crosses edges; in a
-        face straight, as it is unless a path has turned. On a polyhedron it has a line to each convex vertex, along
-        which directions hardly differ where that stands for a smooth surface: `min_angle` leaves these out.
+        Cut along it, the surface can be laid out from the source: a closed one becomes one disk for each source. With
+        several sources, it includes the borders of their Voronoi regions: the ridge of the field. It is exact where it
+        crosses edges, and drawn straight in a face, as it is unless a path has turned. On a polyhedron a line leads to
+        each convex vertex; where the mesh approximates a smooth surface, the directions of the shortest paths hardly
+        differ along such a line: `min_angle` leaves these out.
 
         Parameters
         ----------
         sources : k points, k >= 1
         min_angle : float, default 0
-            Ends of lines are left out up to where the directions of two shortest paths differ by so much, in radians,
-            at most pi. What was connected stays so.
+            In radians, at most pi. Lines are pruned from their ends up to where the directions of two shortest paths
+            differ by this angle. What was connected stays connected.
         max_distance : float, optional
             Only what is within this distance; None for no limit.
         """
@@ -284,9 +286,9 @@ class Directions(Tasks):
         radius : float
             How far from the point vertices get coordinates, above 0.
         rotation : float, default 0
-            Of the picture about the point, in radians, counter-clockwise in the frame there.
+            By which the picture is turned about the point, in radians, counter-clockwise in the frame there.
         scale : float, default 1
-            Of the picture, above 0; at 1 its side is twice the radius.
+            Scale of the picture, above 0; at 1 its side is twice the radius.
         """
         source = self._one_row("point", point)
         sizes = (
@@ -308,9 +310,9 @@ class Directions(Tasks):
     ) -> SurfacePoints | tuple[SurfacePoints, NDArray[np.float64]]:
         """Where straightest lines end that begin at points along vectors in the frames there (`tangent_frames`).
 
-        A line is straight in the faces and over their edges; through a vertex it goes with half of its angle on either
-        side. Vertices whose faces are no fan and edges of three faces or more count as borders. With the vectors of
-        `log_map`, lines lead back to its targets, but for those behind a vertex that the shortest path turns at.
+        A line is straight in the faces and over their edges; through a vertex it leaves half of the vertex's angle on
+        either side. Vertices whose faces form no fan and edges of three faces or more count as borders. With vectors of
+        `log_map`, lines lead back to its targets, except those behind a vertex at which the shortest path turns.
 
         Parameters
         ----------

@@ -10,7 +10,7 @@ class InvalidInput(Error, ValueError):
 
 
 class FileError(Error, OSError):
-    """A file that cannot be written: no room, no permission."""
+    """A file that cannot be read or written: missing, damaged, no permission, a full disk."""
 
 
 class IndexFileError(FileError):

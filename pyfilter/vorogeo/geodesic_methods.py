@@ -83,7 +83,7 @@ class GeodesicMethod:
     metric : EdgeLengths, VertexCost or VertexTensor, optional
         What paths cost; None is their length in space.
     progress : callable or bool, optional
-        Of the preparation, as for `Surface`.
+        Progress of the preparation, as for `Surface`.
     **options : float
         Options of the method (``methods[method].options``), such as ``eps=1e-3`` for "ammp".
 
@@ -133,7 +133,7 @@ class GeodesicMethod:
         return self._method.field(check.source_ids(sources, self._vertex_count))
 
     def distance(self, source: int, target: int) -> float:
-        """Distance of two vertices; without a faster method (``info.has_pairs``) taken from a field."""
+        """Distance of two vertices, read from a field unless the method has a faster way (``info.has_pairs``)."""
         ends = [
             check.integer(name, value, 0, self._vertex_count - 1)
             for name, value in (("source", source), ("target", target))
@@ -142,7 +142,7 @@ class GeodesicMethod:
 
     @property
     def bytes(self) -> int:
-        """Memory held beside the mesh, with the scratch memory of the last field."""
+        """Memory held beside the mesh, including the scratch memory of the last field."""
         return self._method.bytes()
 
 
@@ -157,7 +157,7 @@ def distance_field(
 ) -> NDArray[np.float64]:
     """Distance of every vertex from its nearest source, by a method of the literature, to compare with.
 
-    As `GeodesicMethod.distance_field`, with the arguments of that class, which keeps what it has prepared: this
-    function prepares the method each time.
+    As `GeodesicMethod.distance_field`, with the arguments of that class. This function prepares the method at each
+    call, while an object of that class keeps what it has prepared.
     """
     return GeodesicMethod(vertices, faces, method, metric=metric, progress=None, **options).distance_field(sources)

@@ -13,12 +13,12 @@ from .progress import ProgressFunction
 from .results import Clusters
 from .tasks import METHODS, Tasks
 
-#: The power of the distances that is summed.
+#: The power to which distances are raised before they are summed.
 _MEDIAN, _MEAN = 1, 2
 
 
 class Means(Tasks):
-    """What `Surface` has for points in the middle of others; in all of it, no weights are 1 for each point."""
+    """The part of `Surface` that finds points in the middle of others; without weights, each point counts 1."""
 
     def frechet_mean(
         self,
@@ -28,9 +28,9 @@ class Means(Tasks):
     ) -> SurfacePoints:
         """The point with the least sum of weighted squared distances from some points: their mean on the surface.
 
-        It is found exactly, to 1e-8 of their distances, by descent from the one of the points that is best. Where a sum
-        has several minima, it is the nearest to that point. `last.remark` says if several of the points were equally
-        good and their descents ended apart at equal sums, and if the descent did not settle.
+        It is found exactly, to 1e-8 of their distances, by descent from the best of the points. Where the sum has
+        several minima, it is the one near that point. `last.remark` says whether several points were equally good and
+        their descents ended at different places with equal sums, and whether the descent did not converge.
 
         Parameters
         ----------
@@ -46,8 +46,8 @@ class Means(Tasks):
 
         Notes
         -----
-        Newton's method on exact log maps: some ten exact fields, as far as the points are, besides those of `medoid`.
-        Not where a metric jumps at edges, as for `log_map`.
+        Newton's method on exact log maps: some ten exact fields, bounded by the distances of the points, besides those
+        of `medoid`. Refused where a metric jumps at edges, as by `log_map`.
         """
         return self._centre(points, weights, _MEAN, progress=progress)
 
@@ -83,8 +83,8 @@ class Means(Tasks):
 
         Notes
         -----
-        Exact as the distances are: the triangle inequality rules out most of the points (Newling, Fleuret 2017), so
-        that it takes some multiple of sqrt(k) fields where they are spread.
+        As exact as the distances: the triangle inequality rules out most of the points (Newling, Fleuret 2017), so that
+        some multiple of sqrt(k) fields is enough where the points are spread out.
         """
         rows = self._rows("points", points, 1)
         given = _weights(weights, len(rows[0]))
@@ -104,29 +104,29 @@ class Means(Tasks):
         """Clusters around their means: a low sum of weighted squared distances from the nearest centre.
 
         Begins with k-means++ and goes on with Lloyd's rounds: each point goes to the nearest centre, each centre to the
-        mean of its points (`frechet_mean`, nearby). Of all vertices, the first centres are chosen by distances along
-        edges; centres are vertices, and move as those of `relax`: to those nearest in space to the middle of their
-        regions, if that is better.
+        mean of its points (`frechet_mean`, nearby). For all vertices, the first centres are chosen by distances along
+        edges; centres are then vertices, and move as in `relax`: to the vertex nearest in space to the middle of their
+        region, if that is better.
 
         Parameters
         ----------
         count : int
-            Number of clusters, at least that of the components with points; those without a path between them never
+            Number of clusters, at least that of the components with points; points without a path between them never
             share a cluster.
         points : k points, optional
             None for all vertices with a face.
         weights : array_like, shape (k,) or (n,), optional
             None: 1 for each point; for each vertex a third of the area of its faces.
         seed : int, default 0
-            Of the random points to begin with.
+            Seed of the random points to begin with.
         rounds : int, default 100
             At most this many; fewer if no centre moves.
 
         Notes
         -----
-        In a round a field from each centre, from the index if there is one, and no farther than clusters may reach; of
-        all vertices one or two from all centres at once, for which `method` may also be "quick". Means of points take
-        exact fields besides, bounded by their cluster.
+        Each round takes a field from each centre, from the index if there is one, and no farther than clusters may
+        reach; for all vertices, it takes one or two fields from all centres at once, for which `method` may also be
+        "quick". Means of points also take exact fields, bounded by their cluster.
         """
         return self._clusters(count, points, weights, _MEAN, seed, rounds, method=method, progress=progress)
 
@@ -164,7 +164,7 @@ class Means(Tasks):
 
 
 def _weights(weights: ArrayLike | None, count: int) -> NDArray[np.float64]:
-    """Weights as the core takes them: none for equal ones. It checks that one is above 0."""
+    """Weights as the core takes them: empty for equal ones. The core checks that one is above 0."""
     if weights is None:
         return np.empty(0)
     return check.not_negative("weights", weights, count, "numbers of 0 or more, one for each point")
