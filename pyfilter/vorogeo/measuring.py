@@ -14,7 +14,7 @@ from .progress import ProgressFunction
 from .results import Band, CutMesh, GeodesicPath, GeodesicPolygon, Girth, Polylines, Profile, RegionArea, SetDistances
 from .tasks import Sources, Tasks, paths_of
 
-#: Along a path: the border of a band then has dents of 1 / 3200 of its width.
+#: Points on a path within the width of a band: its border then has dents of 1 / 3200 of the width.
 _POINTS_IN_WIDTH = 20
 
 
@@ -37,13 +37,13 @@ class Measuring(Tasks):
         closed : bool, default False
             Whether it leads from the last point back to the first, where it begins and ends.
         guides : bool, default False
-            Whether the points between the ends are guides only: the path is then the locally shortest one to which the
-            one through them is pulled. If closed, as `tighten`.
+            Whether the points between the ends are guides only: the path through them is then pulled tight, to a
+            locally shortest one. If closed, as by `tighten`.
 
         Returns
         -------
         GeodesicPath
-            Certified where all legs are, with guides not. Two points that no path joins are refused.
+            Certified if all legs are, never with guides. Two points that no path joins are refused.
         """
         rows = self._rows("points", points)
         question = self._shared.core.tighten if guides else self._shared.core.path_through
@@ -55,7 +55,7 @@ class Measuring(Tasks):
         Parameters
         ----------
         path : GeodesicPath, or k points
-            Of consecutive points, each two share a face.
+            Consecutive points share a face.
         fractions : float, or array_like of shape (j,)
         """
         rows = self._curve_rows(path)
@@ -84,11 +84,11 @@ class Measuring(Tasks):
         -------
         GeodesicPath
             From the first point to the last. Where a shortest path between points of the construction changes sides, as
-            behind a hill, it jumps along a shortest path.
+            behind a hill, the curve jumps along a shortest path.
 
         Notes
         -----
-        Exact paths: (k - 1) (k - 2) / 2 for each sample, and one from each to the next.
+        Takes (k - 1) (k - 2) / 2 exact paths for each sample, and one from each sample to the next.
         """
         chosen, steps = self._rows("points", points), check.integer("samples", samples, 1, 10**6)
         found = self._ask(self._shared.core.bezier, chosen, steps, method=method, progress=progress)
@@ -104,8 +104,8 @@ class Measuring(Tasks):
     ) -> GeodesicPath:
         """The cubic B-spline curve of control points, by subdivision with middles of shortest paths.
 
-        It is smoother than `spline`, and passes near the points but not through them. On each level each point counts
-        twice, and three times the middles of neighbours take their place (Lane, Riesenfeld 1980).
+        It is smoother than `spline`, and passes near the points but not through them. On each level each point is
+        doubled, then three times the points are replaced by the middles of neighbours (Lane, Riesenfeld 1980).
 
         Parameters
         ----------
@@ -114,7 +114,7 @@ class Measuring(Tasks):
         closed : bool, default False
             Whether it leads all the way round; else it begins at the first point and ends at the last.
         levels : int, default 4
-            After which there are some 2**levels points for each given one, which shortest paths join.
+            Levels of subdivision: some 2**levels points for each given one, which shortest paths join.
         """
         chosen, steps = self._rows("points", points), check.integer("levels", levels, 1, 20)
         found = self._ask(self._shared.core.b_spline, chosen, bool(closed), steps, method=method, progress=progress)
@@ -136,11 +136,11 @@ class Measuring(Tasks):
         Parameters
         ----------
         points : k points, k >= 2, or 3 of a closed curve
-            Of one component, where directions have angles, as for `log_map`.
+            Of one component, and such as `log_map` takes.
         closed : bool, default False
             Whether it leads from the last point back to the first.
         samples : int, default 16
-            Of each of the curves between two points, as for `bezier`.
+            Samples of each curve between two points, as for `bezier`.
         """
         chosen, steps = self._rows("points", points), check.integer("samples", samples, 1, 10**6)
         found = self._ask(self._shared.core.spline, chosen, bool(closed), steps, method=method, progress=progress)
@@ -154,8 +154,8 @@ class Measuring(Tasks):
     ) -> GeodesicPath:
         """The closed geodesic that a closed curve is pulled to: it moves over faces and vertices, but over no border.
 
-        The shortest curve near it, which need not be the shortest of all that go round like it. With values of faces,
-        where paths refract, it is refused.
+        It is the shortest curve near the given one, which need not be the shortest of all that go round the same way.
+        With values of faces, where paths refract, it is refused.
 
         Parameters
         ----------
@@ -184,7 +184,7 @@ class Measuring(Tasks):
         ----------
         point : one point
         curve : k points or GeodesicPath, optional
-            As for `tighten`: what the loop has to go round like; of such loops it is a shortest one near the curve.
+            As for `tighten`: the loop goes round in the same way, and is a shortest one of such loops near the curve.
 
         Returns
         -------
@@ -211,9 +211,9 @@ class Measuring(Tasks):
         ----------
         point : one point
         normal : array_like, shape (3,), optional
-            Of the plane, of any length: the direction of the limb. None: of the planes through the normal of the
-            surface at the point, the one with the shortest closed section, among 36 at equal angles and then between
-            the neighbours of the best.
+            Normal of the plane, of any length: the direction of the limb. None: of the planes that contain the normal
+            of the surface at the point, the one with the shortest closed section, sought among 36 at equal angles and
+            then between the neighbours of the best.
 
         Returns
         -------
@@ -243,8 +243,8 @@ class Measuring(Tasks):
 
         Notes
         -----
-        Normals are those of most faces, whichever way some are turned. Curvature is how much the normals tilt forwards
-        over the steps beside the point, interpolated between those of the vertices: as rough as these are.
+        Normals point to the side of most faces, also where some are turned over. Curvature is how much the normals tilt
+        forwards over the steps beside the point: as rough as the normals of vertices, between which it interpolates.
         """
         rows = self._curve_rows(path)
         return Profile(*self._ask(self._shared.core.profile, rows, *check.direction("up", up), method=None))
@@ -260,8 +260,8 @@ class Measuring(Tasks):
         """Area within a distance of the nearest source, and the length of its border.
 
         Faces at the border are bisected until their sides are at most width / 16. In each part the border is an arc of
-        a circle through its crossings of the sides; the distance of the middle of its chord says how far the arc is
-        from it. Exact for points in a plane but for the few arcs that leave a part and come back.
+        a circle through its crossings of the sides; the distance at the middle of its chord says how far the arc is
+        from the chord. Exact for points in a plane, except for the few arcs that leave a part and come back.
 
         Parameters
         ----------
@@ -300,17 +300,17 @@ class Measuring(Tasks):
         Parameters
         ----------
         faces : array_like, shape (m,), optional
-            Which faces: a mask, or the number of each one's region from 0 on, such as `voronoi(...).face_region`.
+            Which faces: a mask, or for each face its region, numbered from 0, such as `voronoi(...).face_region`.
         vertices : array_like, shape (n,), optional
-            The same by vertices; it counts for the faces whose three corners agree.
+            The same by vertices; only faces whose three corners agree count.
         inside : GeodesicPath or points, optional
-            A closed curve: of the side that has no border of the surface, else of the smaller one. Consecutive points
-            share a face. A curve that crosses itself or has one and the same side is refused.
+            A closed curve: its inside is the side without border of the surface, else the smaller one. Consecutive
+            points share a face. A curve that crosses itself or does not separate two sides is refused.
 
         Returns
         -------
         RegionArea or list of RegionArea
-            A list by the numbers of regions, where these are given.
+            A list, in the order of the regions, where `faces` or `vertices` are numbers.
         """
         if [faces is None, vertices is None, inside is None].count(False) != 1:
             raise InvalidInput("Give one of faces, vertices and inside: what the area is of.")
@@ -364,8 +364,8 @@ class Measuring(Tasks):
     ) -> CutMesh:
         """The mesh with its faces cut along isolines of a field.
 
-        The region of a face is the number of different levels that are at most its values: 0 below all of them; -1
-        where values are not finite.
+        The region of a face is the number of different levels at or below its values: 0 below all of them; -1 where
+        values are not finite.
 
         Parameters
         ----------
@@ -381,7 +381,7 @@ class Measuring(Tasks):
         """The polygon of exact shortest paths from each point to the next, and from the last one to the first.
 
         Neighbouring legs may begin together, as at a saddle; legs that cross or touch elsewhere are refused, as are
-        those that do not separate an inside from an outside: around a handle, say.
+        legs that do not separate an inside from an outside, such as those around a handle.
 
         Parameters
         ----------
@@ -392,14 +392,14 @@ class Measuring(Tasks):
     def convex_hull(
         self, points: Points, method: str | None = None, progress: ProgressFunction | bool | None = None
     ) -> GeodesicPolygon:
-        """The shortest closed curve around points: the polygon of some that holds the others and has no angle above pi.
+        """The shortest closed curve around points: the polygon of some with the others inside and no angle above pi.
 
         Parameters
         ----------
         points : k points, k >= 3
-            In a part like a disk in which any two have one shortest path: less than half-way round a limb, say. That
-            the polygon has no crossing, no angle above pi, all points and neither hole nor handle inside is checked;
-            where it has not, or the points lie on one line, they are refused.
+            In a part like a disk in which any two have a single shortest path: less than half-way round a limb, say. It
+            is checked that the polygon does not cross itself, has no angle above pi, and has all points and neither
+            hole nor handle inside; otherwise, or if the points lie on one line, they are refused.
 
         Returns
         -------
@@ -408,8 +408,9 @@ class Measuring(Tasks):
 
         Notes
         -----
-        Gift wrapping: from each corner to the next by the path that has the others on one side. An exact field as far
-        as the points for each corner, then as `polygon`. With values of faces, where paths refract, it is refused.
+        Gift wrapping: the next corner is the point whose path from the last one has the others on one side. Takes an
+        exact field as far as the points for each corner, then as `polygon`. With values of faces, where paths refract,
+        it is refused.
         """
         return self._polygon(self._shared.core.convex_hull, points, method=method, progress=progress)
 

@@ -19,11 +19,11 @@ from .errors import FileError, InvalidInput
 from .mesh_objects import of_meshio
 from .results import MeshArrays
 
-#: Endings of surfaces of FreeSurfer.
+#: Endings of FreeSurfer's surface files.
 FREESURFER = (".white", ".pial", ".inflated", ".sphere", ".orig", ".smoothwm", ".midthickness", ".reg")
 
 
-# Of what meshio reads into one array, the names in PLY files.
+# Names in PLY files of the columns that meshio reads into one array.
 _COLUMNS = {"obj:vn": ("nx", "ny", "nz"), "obj:vt": ("s", "t")}
 
 
@@ -52,9 +52,9 @@ def read_mesh(file: str | os.PathLike[str]) -> MeshArrays:
 
 
 def read_with_values(file: str | os.PathLike[str]) -> tuple[MeshArrays, dict[str, NDArray[Any]]]:
-    """The mesh, and what the file has for each vertex beside its place: colours, normals, texture coordinates, numbers.
+    """The mesh, and the file's other values of vertices: colours, normals, texture coordinates, numbers.
 
-    These have their names in PLY files. There are none if meshio cannot read the file or is not installed.
+    These are named as in PLY files. There are none if meshio cannot read the file or is not installed.
     """
     path = check.file_path(file)
     if not os.path.isfile(path):

@@ -21,7 +21,7 @@ from .metrics import EdgeLengths, Metric, MetricLengths
 class MeshInput:
     """Checked arguments of a surface. Results refer to all vertices and faces, also to those that a mask leaves out.
 
-    `gap` is the widest gap to bridge, and whether also where the surface turns back.
+    `gap` is the widest gap to bridge, and whether to bridge also where the surface folds back.
     """
 
     vertices: NDArray[np.float64]
@@ -51,7 +51,7 @@ class MeshInput:
 
     @property
     def measured_faces(self) -> NDArray[np.int32]:
-        """The faces for the core: it leaves out those that name a vertex twice, and goes on counting them."""
+        """The faces for the core; masked ones name vertex 0 three times, so that it leaves them out but counts them."""
         return self.faces if self.mask is None else np.where(self.mask[:, None], self.faces, np.int32(0))
 
     def core_mesh(self, report: Callable[[float, str], object] | None = None) -> _core.Mesh:
@@ -78,7 +78,7 @@ def _lengths(metric: Any, vertices: NDArray[np.float64], faces: NDArray[np.int32
     """What a metric makes of a mesh; None for lengths in space."""
     if metric is None:
         return None
-    # A class has the method of its objects.
+    # A class passes as a Metric, too, as it has the method of its objects.
     if isinstance(metric, type) or not isinstance(metric, Metric):
         raise InvalidInput(
             f"metric: is a {type(metric).__name__}; give EdgeLengths, VertexCost, VertexTensor, FaceCost, FaceTensor, "

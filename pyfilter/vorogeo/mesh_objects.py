@@ -1,4 +1,4 @@
-"""Vertices and triangles of what other packages call a mesh, told apart by attributes; polygons become fans."""
+"""Vertices and triangles of the meshes of other packages, told apart by their attributes; polygons become fans."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .results import MeshArrays
 
 _CORNERS = {"triangle": 3, "quad": 4, "polygon": None}
 """Blocks of meshio that are faces."""
-_ROUNDING = 1e-9  # of the area of a polygon: triangles of corners on one line
+_ROUNDING = 1e-9  # of a polygon's area: triangles of collinear corners may be turned over by so much
 
 
 def mesh_arrays(mesh: Any, faces: Any = None) -> MeshArrays:
@@ -27,8 +27,8 @@ def mesh_arrays(mesh: Any, faces: Any = None) -> MeshArrays:
         pair of vertices and faces; or vertices, with `faces`. Arrays may be any that NumPy reads, such as tensors of
         torch and jax on the CPU, whatever their layout.
     faces : array_like of int of shape (m, 3) or (m, 4), or sequence of polygons, optional
-        Vertex ids. A polygon becomes triangles of its own corners, in the order of the polygons: from the first corner
-        on, or from where it turns inwards if the first would not fill it. Values of faces are then those of triangles.
+        Vertex ids. A polygon becomes a fan of triangles, in the order of the polygons: from its first corner, or from
+        the one where it turns inwards if that fan would not fill it. Values of faces are then those of triangles.
 
     Returns
     -------
@@ -51,7 +51,7 @@ def mesh_arrays(mesh: Any, faces: Any = None) -> MeshArrays:
 
 
 def arrays_of(mesh: Any, faces: Any) -> tuple[Any, Any]:
-    """Vertices and triangles, not checked yet and possibly the caller's own; polygons among the faces are."""
+    """Vertices and triangles, not checked yet and possibly the caller's own arrays; only polygons are checked here."""
     vertices, polygons = (mesh, faces) if faces is not None else _parts(mesh)
     return vertices, polygons if vertices is None else _triangles(polygons, vertices)
 
@@ -86,7 +86,7 @@ def _of_pyvista(mesh: Any) -> tuple[Any, Any]:
 
 
 def of_meshio(mesh: Any) -> tuple[Any, Any]:
-    """Points, in space also if they are in the plane, and triangles of all blocks that are faces."""
+    """Points, with z = 0 if they have two coordinates, and triangles of all blocks that are faces."""
     points = np.asarray(mesh.points)
     if points.ndim == 2 and points.shape[1] == 2:
         points = np.column_stack([points, np.zeros(len(points))])
@@ -97,7 +97,7 @@ def of_meshio(mesh: Any) -> tuple[Any, Any]:
 
 
 def _triangles(faces: Any, vertices: Any) -> Any:
-    """Triangles that fill the faces; what is neither quads nor polygons as it is, for the checks of triangles."""
+    """Triangles that fill the faces; input without quads or polygons is returned as it is, to be checked later."""
     wanted = "the vertex ids of each polygon as integers"
     sizes = [len(face) for face in faces] if _is_list_of_lists(faces) else []
     if len(set(sizes)) > 1 or (sizes and sizes[0] > 3):
@@ -132,7 +132,7 @@ def _is_list_of_lists(faces: Any) -> bool:
 
 
 def _fans(polygons: NDArray[Any], points: NDArray[Any], name: str, rows: NDArray[Any] | None = None) -> NDArray[Any]:
-    """Triangles of polygons with equally many corners; `rows` are those that a warning names."""
+    """Triangles of polygons with equally many corners; `rows`: their numbers for a warning."""
     corners = polygons.shape[1]
     if corners > 3 and polygons.min(initial=0) >= 0 and polygons.max(initial=-1) < len(points):
         turned = np.flatnonzero(_overlap(points[polygons]))

@@ -23,11 +23,11 @@ class FaceSplits(NamedTuple):
     Attributes
     ----------
     middle_of : ndarray of int32, shape (k, 2)
-        Of each vertex that is added behind the n given ones: the ends of the line whose middle it is.
+        For each vertex that is added after the n given ones, the ends of the line whose midpoint it is.
     faces : ndarray of int32, shape (p, 3)
         All faces, the parts of a face in its place.
     given_face : ndarray of int32, shape (p,)
-        Which face each is, or is a part of.
+        The given face that each face is, or is a part of.
     lengths : ndarray of float64, shape (p, 3)
         Of the side opposite each corner.
     """
@@ -50,16 +50,16 @@ class MetricLengths(NamedTuple):
         Edges that would still be longer than the other two sides of a face together, after faces were split. No
         shortest path follows them, and they have the length of these two sides.
     split_faces : int
-        Faces that are measured in parts, as the metric varies over them, or over a neighbour: bisected in the middle of
-        the longest side, with the other face there, and so on for their parts.
+        Faces that are measured in parts, as the metric varies over them or over a neighbour: bisected in the middle of
+        the longest side, together with the other face at that side, and their parts likewise.
     splits : FaceSplits or None
-        What is measured on where faces are split, by its own `lengths`: the `lengths` of whole faces do not count then.
-        Results refer to the vertices and faces that were given.
+        The faces that are measured on where some are split, with `lengths` of their own: those of whole faces do not
+        count then. Results refer to the vertices and faces that were given.
     points : int
         Points on each edge from which faces are crossed, where the two faces of an edge disagree; 0 in other metrics.
     drifts : ndarray of float64, shape (m, 3), or None
-        What is added to these lengths along each side, from the next corner to the one after it, and taken off them on
-        the way back; None where both ways cost the same.
+        What is added to these lengths along each side, from the next corner to the one after it, and subtracted on the
+        way back; None where both ways cost the same.
     """
 
     lengths: NDArray[np.float64]
@@ -133,7 +133,7 @@ class VertexCost:
         _own(self, "cost", (), "a number above 0 for each vertex, of shape (n,)")
 
     def edge_lengths(self, vertices: ArrayLike | None, faces: ArrayLike) -> MetricLengths:
-        """The integrals of the cost along the edges; there is one above 0 for each vertex of a face."""
+        """The integrals of the cost along the edges. Each vertex of a face needs a cost above 0."""
         return _lengths(*_core.lengths_by_cost(*_arrays(self, vertices, faces), np.asarray(self.cost)))
 
 
@@ -172,10 +172,10 @@ class FaceCost:
     ----------
     cost : array_like, shape (m,)
         Above 0: COST per unit of length, not speed. Along an edge the cheaper of its faces counts. Infinite: no path
-        enters the face, but it may go along its edges with others.
+        enters the face, but paths may run along edges that it shares with other faces.
     points : int, default 6
-        Points on an edge between well-shaped faces, 1 to 1000, from which faces are crossed; others may have more.
-        Errors fall with its square or faster, time grows with it.
+        Points on an edge between well-shaped faces, 1 to 1000, from which faces are crossed; other edges may have more.
+        Errors fall with the square of this number or faster, time grows with it.
 
     Notes
     -----
@@ -195,7 +195,7 @@ class FaceCost:
         object.__setattr__(self, "points", check.integer("points", self.points, 1, 1000))
 
     def edge_lengths(self, vertices: ArrayLike | None, faces: ArrayLike) -> MetricLengths:
-        """The sides of each face, times its cost, above 0: the two faces of an edge disagree."""
+        """The sides of each face times its cost, which is above 0: two faces may disagree on a common edge."""
         sides = _core.sides_by_face_cost(*_arrays(self, vertices, faces), np.asarray(self.cost))
         return MetricLengths(sides, 0, points=self.points)
 
@@ -227,9 +227,9 @@ class FaceTensor:
             object.__setattr__(self, "points", check.integer("points", self.points, 1, 1000))
 
     def edge_lengths(self, vertices: ArrayLike | None, faces: ArrayLike) -> MetricLengths:
-        """The roots of v' G v for the sides v of each face: the two faces of an edge disagree.
+        """The roots of v' G v for the sides v of each face: two faces may disagree on the length of their edge.
 
-        G is finite, symmetric and positive on its face. More than 300 `points` are never chosen, but an error.
+        G is finite, symmetric and positive on its face. A default of more than 300 `points` is an error.
         """
         mesh = _arrays(self, vertices, faces)
         sides = _core.sides_by_face_tensor(*mesh, np.asarray(self.tensors))
@@ -239,23 +239,23 @@ class FaceTensor:
 
 @dataclass(frozen=True, eq=False)
 class FaceRanders:
-    """A Randers metric for each face, by which a way back costs something else: a step v costs sqrt(v' G v) + w . v.
+    """A Randers metric for each face: a step v costs sqrt(v' G v) + w . v, so that a way back costs something else.
 
     Parameters
     ----------
     tensors : array_like, shape (m, 3, 3)
         G, as for `FaceTensor`.
     drift : array_like, shape (m, 3)
-        w: what a step costs more along it, and less against it. In the lengths of G it is shorter than 1 on the plane
-        of the face, so that every step costs something; its part across the face does not count.
+        w: a step along it costs more, a step against it less. In the lengths of G it is shorter than 1 on the plane of
+        the face, so that every step costs something; its component normal to the face does not count.
     points : int, optional
         As for `FaceTensor`.
 
     Notes
     -----
     Fields, pairs, paths and what is built on fields, such as `Surface.voronoi`, `disk`, `band` and `sample_farthest`,
-    are answered by the method "exact": from the points, and with ``to=True`` to them. What needs ways back that cost
-    the same, as an index does, refuses it.
+    are answered by the method "exact": from the points, and with ``to=True`` to them. Questions that need ways back to
+    cost the same are refused, as is an index.
 
     Examples
     --------
@@ -291,15 +291,15 @@ def slope_cost(
     up : array_like, shape (3,)
         The direction upwards, of any length.
     penalty : float, function of an ndarray, or array_like of shape (k, 2), default 1
-        A number of at least 0: the cost is 1 + penalty sin(slope), with the slope between the normal and `up`. A
-        function or table of the grade of each face where it is steepest (rise by length on the map, at least 0): what a
-        unit of length costs there, as for `hiking_time`. Where it is infinite, as above 1 in 12 by `wheelchair`, is a
-        barrier.
+        A number of at least 0: the cost is 1 + penalty sin(slope), where the slope is the angle of the normal with
+        `up`. A function or table of the steepest grade of each face (rise by length on the map, at least 0): what a
+        unit of length costs there, given as for `hiking_time`; faces of infinite cost are barriers, such as those
+        steeper than 1 in 12 by `wheelchair`.
 
     Returns
     -------
     VertexCost, or FaceCost of a function or table
-        The same uphill, downhill and along the slope; `hiking_time` tells them apart.
+        The cost is the same uphill, downhill and along the slope; `hiking_time` tells these apart.
 
     Examples
     --------
@@ -351,15 +351,15 @@ def travel_time(
     vertices, faces, points
         As for `Surface` and `FaceRanders`.
     wind : array_like, shape (3,) or (m, 3)
-        The velocity of what carries it, in all faces or in each; its part across a face does not count.
+        The velocity of the current or wind, in all faces or in each; its component normal to a face does not count.
     speed : float or array_like, shape (m,), default 1
-        Its own speed, above that of the wind. Both may be NaN in faces that a mask leaves out.
+        The vehicle's own speed, above that of the wind. Both may be NaN in faces that a mask leaves out.
 
     Returns
     -------
     FaceRanders
-        With the wind W of a speed below 1, lam = 1 - W . W: G = (lam I + W W') / lam**2 and w = -W / lam; other speeds
-        scale these.
+        At speed 1 in the wind W, with lam = 1 - W . W: G = (lam I + W W') / lam**2 and w = -W / lam; other speeds scale
+        these.
     """
     positions, triangles = _mesh(vertices, faces)
     count = len(triangles)
@@ -381,7 +381,7 @@ def naismith(grade: ArrayLike) -> NDArray[np.float64]:
 
 
 def climbing_cost(uphill: float = 8.0, downhill: float = 2.0) -> Callable[[ArrayLike], NDArray[np.float64]]:
-    """A pace for `hiking_time`: length in space, and so much more for each unit of height up and down, at least 0.
+    """A pace for `hiking_time`: length in space, plus a cost of at least 0 for each unit of height, up and down.
 
     The first default is about Naismith's rule, the second that of walkers who go down steep ways more slowly.
     """
@@ -391,7 +391,7 @@ def climbing_cost(uphill: float = 8.0, downhill: float = 2.0) -> Callable[[Array
 
 
 def _at_grades(law: Callable[[NDArray[np.float64]], NDArray[np.float64]], grade: ArrayLike) -> NDArray[np.float64]:
-    """A law, for grades in an array of any shape."""
+    """The values of a law at grades in an array of any shape."""
     wanted = "rises by length on the map, as real numbers"
     grades = np.asarray(check.numbers("grade", grade, wanted), dtype=np.float64)
     return law(grades.ravel()).reshape(grades.shape)
@@ -409,7 +409,7 @@ def hiking_time(
     up: ArrayLike = (0.0, 0.0, 1.0),
     points: int | None = None,
 ) -> FaceRanders:
-    """Time over terrain, or any cost that is one thing uphill and another downhill.
+    """Time over terrain, or any cost that differs uphill and downhill.
 
     Parameters
     ----------
@@ -425,8 +425,8 @@ def hiking_time(
     Returns
     -------
     FaceRanders
-        In each face the cost straight up, straight down and on the level are those of `pace`, and those between follow
-        an ellipse around them. Where a gentler grade climbs (or descends) faster, a zigzag at that counts.
+        In each face the costs straight up, straight down and on the level are those of `pace`, and those in directions
+        between follow an ellipse. Where a gentler grade climbs (or descends) faster, a zigzag at that grade counts.
     """
     positions, triangles = _mesh(vertices, faces)
     upwards = np.array(check.direction("up", up))
@@ -466,7 +466,7 @@ def _spread(name: str, values: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.
     """Finite numbers for each face, or the same in all."""
     wanted = f"finite numbers of shape {shape}, or {shape[1:] or 'one'} for all faces"
     array = np.asarray(check.numbers(name, values, wanted), dtype=np.float64)
-    # NaN in a face may be one that is left out; the core refuses others.
+    # A NaN may belong to a face that is left out; the core refuses others.
     known = np.isfinite(array) | (np.isnan(array) & (array.shape == shape))
     if array.shape not in (shape, shape[1:]) or not known.all():
         raise InvalidInput(f"{name}: has shape {array.shape} or a value that is not finite; give {wanted}.")
@@ -479,7 +479,7 @@ def _lengths(sides: NDArray[np.float64], shortened: int, split: int, splits: Any
 
 
 def _own(metric: Any, field: str, tail: tuple[int, ...], wanted: str) -> None:
-    """Make a field a read-only copy of its real numbers: of one for each element, or of `tail` numbers."""
+    """Make a field a read-only copy of its real numbers: for each element one, or an array of shape `tail`."""
     name = type(metric).__name__
     array = np.array(check.numbers(name, getattr(metric, field), wanted), dtype=np.float64, order="C")
     if array.ndim != 1 + len(tail) or array.shape[1:] != tail:

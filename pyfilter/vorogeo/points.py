@@ -71,7 +71,7 @@ class SurfacePoints:
         return "; ".join(" ".join(map(repr, (face, *weights))) for face, weights in rows)
 
     def to_sparse(self, faces: ArrayLike, vertex_count: int) -> Any:
-        """The weights as a ``scipy.sparse`` matrix of shape (k, n), by which values of vertices become those of points.
+        """The weights as a ``scipy.sparse`` matrix of shape (k, n) that maps values of vertices to values of points.
 
         `faces` are those of the surface.
         """
@@ -92,7 +92,7 @@ class SurfacePoints:
         matrix.eliminate_zeros()
         rows = np.repeat(np.arange(len(triangles)), 3)
         corner_of = csr_matrix((np.ones(rows.size), (rows, triangles.ravel())), shape=(len(triangles), matrix.shape[1]))
-        corner_of.data[:] = 1  # also of a face that names a vertex twice
+        corner_of.data[:] = 1  # also for a face that names a vertex twice
         common = csr_matrix(
             csr_matrix((np.ones(matrix.nnz), matrix.indices, matrix.indptr), matrix.shape) @ corner_of.T
         )
@@ -145,7 +145,7 @@ Rows: TypeAlias = tuple[NDArray[np.int32], NDArray[np.int32], NDArray[np.float64
 
 
 def holds(value: Any, kind: type | tuple[type, ...]) -> bool:
-    """Whether a value is of a kind or a list with an element of it."""
+    """Whether a value is of a kind, or a list with an element of that kind."""
     return isinstance(value, kind) or (isinstance(value, (list, tuple)) and any(isinstance(v, kind) for v in value))
 
 
@@ -166,7 +166,7 @@ def _face_ids(name: str, value: ArrayLike) -> NDArray[np.int32]:
 
 
 def rows(name: str, value: Any, vertex_count: int, least: int = 0) -> Rows:
-    """Checked points; a single point is one row. At least `least`."""
+    """Checked points, at least `least` of them; a single point is one row."""
     if isinstance(value, SurfacePoints):
         faces = _face_ids(f"{name}.faces", np.atleast_1d(value.faces))
         weights = check.positions(f"{name}.barycentric", value.barycentric)
@@ -197,7 +197,7 @@ def joined(parts: list[Rows]) -> Rows:
 
 
 def taken(found: Rows, which: NDArray[Any]) -> Rows:
-    """The rows of these numbers, each as often as it is named."""
+    """The rows with these numbers, each as often as its number occurs."""
     vertex, face, weights = found
     return (vertex[which], face[which], weights[which]) if len(face) else (vertex[which], face, weights)
 

@@ -61,7 +61,7 @@ class Isolines(Polylines):
 @documented
 @dataclass(frozen=True)
 class VoronoiRegions:
-    """Geodesic Voronoi regions of k points; a region's number is the position of its point in the list; -1 is none."""
+    """Geodesic Voronoi regions of k points; a region's number is the position of its point in the list, -1 for none."""
 
     vertex_region: NDArray[np.int32] = doc(
         "Shape (n,). The region of the nearest point, the first of equally near ones; -1 where none can be reached."
@@ -98,7 +98,7 @@ class FarthestSamples:
 @documented
 @dataclass(frozen=True)
 class Disk:
-    """What lies within a radius of a point."""
+    """What lies within a radius of the nearest source."""
 
     vertices: NDArray[np.int32] = doc("Shape (k,). Ids, ascending.")
     distances: NDArray[np.float64] = doc("Shape (k,). Of each from the nearest source.")
@@ -117,7 +117,7 @@ class Band:
 @documented
 @dataclass(frozen=True)
 class RegionArea:
-    """What a region measures."""
+    """The measures of a region."""
 
     area: float = doc("In the unit of the metric.")
     border_length: float = doc("Where faces are inside on one side only; borders of the surface count.")
@@ -151,7 +151,7 @@ class CutMesh:
         return mesh
 
     def part(self, region: int) -> tuple[NDArray[np.float64], NDArray[np.int32], NDArray[np.int32]]:
-        """The vertices and faces of a region, and which vertices of the cut mesh they are."""
+        """The vertices and faces of a region, and which vertices of the cut mesh its vertices are."""
         kept, faces = np.unique(self.faces[self.region == region], return_inverse=True)
         return self.vertices[kept], faces.reshape(-1, 3).astype(np.int32), kept
 
@@ -325,7 +325,7 @@ class Girth:
 
 @documented
 class Profile(NamedTuple):
-    """What lies along a path, by its p points."""
+    """What lies along a path, at each of its p points."""
 
     length: Annotated[NDArray[np.float64], "Shape (p,). Of the path up to the point."]
     height: Annotated[NDArray[np.float64], "Shape (p,). Of the point, in the direction `up`."]

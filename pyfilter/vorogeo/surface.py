@@ -1,4 +1,4 @@
-"""A mesh that answers at once, one whose index is built at once, and single answers on a mesh that is not kept."""
+"""`Surface` answers at once, `GeodesicIndex` builds its index first, and functions ask a mesh that is not kept."""
 
 from __future__ import annotations
 
@@ -51,8 +51,8 @@ class Surface(Measuring, Means, Directions):
     metric : EdgeLengths, VertexCost, VertexTensor, FaceCost, FaceTensor or FaceRanders, optional
         What paths cost; None is their length in space. All distances, radii and areas are then in its unit.
     gap, bridge_folds : float and bool, optional
-        Borders up to `gap` apart that face each other (`bridge_folds`: or do not), and equal positions, are joined in
-        the mesh that is measured on, crossed at the cost of their width, with a metric times the dearer side.
+        Borders up to `gap` apart that face each other (`bridge_folds`: or do not), and vertices at equal positions, are
+        joined in the mesh that is measured on. To cross a gap costs its width, with a metric times the dearer side.
 
     Attributes
     ----------
@@ -64,7 +64,7 @@ class Surface(Measuring, Means, Directions):
     InvalidInput
         (a ValueError) If an argument has a wrong shape, type or range, naming the element.
     Cancelled
-        If a progress function returned False; nothing was changed then. Both by all functions of the package.
+        If a progress function returned False; nothing was changed then. All functions of the package raise both.
 
     Notes
     -----
@@ -73,10 +73,10 @@ class Surface(Measuring, Means, Directions):
     or of the metric, and infinity where no path leads.
 
     `method` of each is "automatic", "index" (built at once if there is none), "exact", or, for fields, "quick": an
-    error below a tenth of a percent in the mean, on large meshes in a third to a tenth of the time. "automatic":
-    whichever is expected to be fastest, exact where both are near: where each distance reaches only a small part of the
-    surface, exact also with an index; on more than two million vertices, fields are quick where there is no index. None
-    is what the class stands for.
+    error below a tenth of a percent in the mean, on large meshes in a third to a tenth of the time. "automatic" takes
+    what is expected to be fastest: where each distance reaches only a small part of the surface, "exact" even if there
+    is an index; for fields on more than two million vertices without an index, "quick". None is the default of the
+    class: "automatic", of a `GeodesicIndex` "index".
 
     `progress` is called as ``progress(fraction, text)`` from this thread, with a fraction in [0, 1] that never
     decreases; a result of False cancels. True shows a tqdm bar.
@@ -113,7 +113,7 @@ class Surface(Measuring, Means, Directions):
 
     @classmethod
     def of(cls: type[_Kind], shared: Shared) -> _Kind:
-        """Another object of the same surface."""
+        """Another object that shares the same surface."""
         made = cls.__new__(cls)
         made._hold(shared)
         return made
@@ -185,8 +185,8 @@ class Surface(Measuring, Means, Directions):
         Parameters
         ----------
         sources : int, array_like of int of shape (k,), SurfacePoints, EdgeCurve, GeodesicPath, or a list of these
-            At least one; repeated ones make no difference. A curve or a path is one source, and points along it also in
-            an exact field, of a path at most a quarter of the typical edge apart.
+            At least one; repeated ones make no difference. A curve or a path is one source, replaced by points along
+            it even in an exact field; those of a path are at most a quarter of the typical edge apart.
         max_distance : float, optional
             Distances above it become infinity; None for no limit.
         offsets : array_like, shape (k,), optional
@@ -201,7 +201,7 @@ class Surface(Measuring, Means, Directions):
         distance : ndarray, shape (n,)
         label : ndarray of int32, shape (n,)
             Only if `return_labels`: the position of the nearest source in `sources`, -1 where there is none. Of sources
-            at nearly the same distance, any.
+            at nearly the same distance, any of them.
         """
         limit, entry = check.max_distance(max_distance), check.real_type(dtype)
         rows, number = self._source_rows(sources)
@@ -228,7 +228,7 @@ class Surface(Measuring, Means, Directions):
         (`FaceRanders`).
         """
         count, core = len(self.vertices), self._shared.core
-        # One distance takes less than the arrays that carry it.
+        # A single distance takes less time than the arrays that would carry it.
         if type(source) is int and type(target) is int and 0 <= source < count and 0 <= target < count:  # noqa: SIM102
             if METHODS[self._method(method)] != "exact" and core.has_index():
                 distance, seconds = core.vertex_distance(source, target)
@@ -303,10 +303,10 @@ class Surface(Measuring, Means, Directions):
     def prepare_exact_paths(self, landmarks: int = 32, progress: ProgressFunction | bool | None = None) -> int:
         """Make all later certified paths faster, by exact distance fields from a few vertices.
 
-        The differences of these distances are lower bounds of those of all pairs, on a curved surface much closer ones
-        than straight lines in space. It pays off for many pairs: preparing takes as long as `landmarks` exact fields,
-        and the build of the index if there is none. Returns the memory taken, in bytes: four for each vertex and
-        landmark.
+        The differences of these distances are lower bounds of the distances of all pairs, on a curved surface much
+        closer ones than straight lines in space. It pays off for many pairs: preparing takes as long as `landmarks`
+        exact fields, and the build of the index if there is none. Returns the memory taken, in bytes: four for each
+        vertex and landmark.
 
         Parameters
         ----------
@@ -334,25 +334,26 @@ class GeodesicIndex(Surface):
 
     A `Surface` that has its index from the beginning, and answers from it unless `method` says otherwise.
     Distances are lengths of shortest paths over the surface, in the unit of the vertices; infinity where no path
-    exists. Long computations release the GIL. It works in processes that were forked, spawned or served.
+    exists. Long computations release the GIL. It works in processes that were forked, spawned, or started by a fork
+    server.
 
     Parameters
     ----------
     vertices, faces, threads, mask, metric, gap, bridge_folds, progress
         As for `Surface` and its questions.
     patches : (int, int), optional
-        Numbers of patches: of the mesh, and of smaller ones in each of these. 0 (None for both): chosen from n.
+        Numbers of patches: of the mesh, and of smaller ones in each of these. 0 (None: both are 0) is chosen from n.
     delta : float, default 0
         Average relative error that pruning of the graph may add, in [0, 1). 0 loses nothing; a value above 0 selects
         the form of a graph.
     seed : int, default 0
         Seed of the random numbers that place the patches, 0 to 2**64 - 1.
     memory_budget : int, optional
-        As for `Surface`; None is 4096, or any with `file`, whose tables are not counted.
+        As for `Surface`; None is 4096, or no limit with `file`, whose tables are not counted.
     file : str or path, optional
-        Where the index is built: its tables go there as they are filled and are mapped, so that it may be larger than
-        the memory. If the file has the index of this mesh, it is loaded; if a build was stopped, by whatever, this one
-        goes on where that was.
+        Where the index is built: its tables are written there as they are filled, and mapped, so that it may be larger
+        than the memory. If the file has the index of this mesh, it is loaded; a build into it that was stopped, for
+        whatever reason, is continued.
 
     Raises
     ------
@@ -424,13 +425,13 @@ class GeodesicIndex(Surface):
         file : str or path
             A file written by `save`.
         vertices, faces, mask, metric, gap, bridge_folds
-            As for `Surface`; those that the index was built with: an index of others is refused.
+            As for `Surface`, and the same as the index was built with: otherwise it is refused.
         threads : int, optional
             Threads of each field; None is one per core.
         mapped : bool, default True
             Leave the large tables in the file: all processes that load it share that memory. It may be removed or
-            replaced (`save` does so) while it is used, but not be written to or cut in place, which ends the
-            process. False: copy them, for files that others may change.
+            replaced (`save` does so) while it is used, but not written to or truncated in place, which ends
+            the process. False: copy them, for files that others may change.
 
         Raises
         ------
@@ -456,7 +457,7 @@ class GeodesicIndex(Surface):
     def face_patches(self, layer: int) -> NDArray[np.int32]:
         """Patch of each face, numbered from 0, as int32 of shape (m,): large ones in layer 1, small ones in layer 2.
 
-        -1 stands for a face that is left out (a vertex twice, or a repetition of an earlier face).
+        -1 stands for a face that is left out: it is masked, names a vertex twice or repeats an earlier face.
         """
         return self._shared.core.face_patches(check.integer("layer", layer, 1, 2))
 
@@ -494,7 +495,7 @@ def exact_distance_field(
     ----------
     vertices, faces, mask, metric, gap, bridge_folds, threads, dtype
         As for `Surface`: shapes (n, 3) and (m, 3). With values of faces, distances are not exact but close, and one
-        thread does all.
+        thread computes them.
     sources : int or array_like of int, shape (k,), k >= 1
         Vertex ids; repeated ones make no difference.
     max_distance : float, optional
@@ -513,7 +514,7 @@ def exact_distance_field(
     Exact propagation of windows (Mitchell, Mount, Papadimitriou 1987). Releases the GIL; Ctrl-C stops it.
     """
     surface = Surface(vertices, faces, threads, None, mask, metric, gap, bridge_folds)
-    # Also what an error calls them: the caller gave ids.
+    # Checked as ids, so that an error calls them what the caller gave.
     ids = check.source_ids(sources, len(surface.vertices))
     return surface.distance_field(ids, max_distance, to=to, method="exact", dtype=dtype)
 
@@ -542,12 +543,12 @@ def exact_path(
     Returns
     -------
     GeodesicPath, or list of k GeodesicPath
-        `certified` says whether it is exact: with values of faces only of no path, and of one from a point to itself.
+        `certified` says whether it is proven exact: with values of faces only where no path leads or both ends are one.
 
     Notes
     -----
-    Without values of faces, each is found in a corridor of the mesh; where 100 pairs or more have one source, and with
-    values of faces, by one propagation from each source, as far as its targets.
+    Without values of faces, each path is found in a corridor of the mesh; where 100 pairs or more have one source, and
+    with values of faces, by one propagation from each source, as far as its targets.
     """
     surface = Surface(vertices, faces, None, None, mask, metric, gap, bridge_folds)
     return surface.path(source, target, progress, method="exact")

@@ -38,9 +38,9 @@ Sources: TypeAlias = Source | Sequence[Source]
 
 #: Beyond it, a distance from the surface may be more than a float can hold.
 _GREATEST_COORDINATE = 1e307
-#: Along a path around which an area lies: with more, the faces beside it take minutes.
+#: Points along the path of a band, at most: with more, the faces beside it take minutes.
 _MOST_POINTS = 10**5
-#: By the numbers that the core has for them.
+#: In the order of the numbers that the core has for them.
 METHODS = ("automatic", "index", "exact", "quick")
 _ENTRIES = ("automatic", "pairs", "fields")
 _INTERPOLATIONS = ("linear", "distance")
@@ -50,7 +50,7 @@ _SAMPLES = 16
 
 @dataclass(frozen=True, eq=False)
 class Shared:
-    """What copies of a surface share, and pickle takes apart: its mesh, the threads and MiB of an index, the core's."""
+    """What copies of a surface share and pickle stores: its mesh, threads and MiB of an index, the core's surface."""
 
     given: MeshInput
     threads: int
@@ -67,7 +67,7 @@ class Shared:
 
 
 def _in_a_file(use: Callable[[str, Any], Any], what: Any) -> Any:
-    """What is made of something by way of a temporary file."""
+    """The result of `use`, called with the name of a temporary file and `what`."""
     with tempfile.TemporaryDirectory(prefix="vorogeo-") as folder:
         return use(str(Path(folder) / "index.vgi"), what)
 
@@ -82,16 +82,16 @@ def _restored(given: MeshInput, threads: int, budget: int, index: NDArray[np.uin
 
     def loaded(file: str, contents: NDArray[np.uint8]) -> _core.Surface:
         contents.tofile(file)
-        return mesh.load_index(file, threads, False)  # copied, as the file goes
+        return mesh.load_index(file, threads, False)  # copied, as the file is deleted
 
     core = mesh.surface(threads, budget) if index is None else _in_a_file(loaded, index)
     return Shared(given, threads, budget, core)
 
 
 class Tasks:
-    """What `Surface` knows of its mesh, how it asks the core, and its tasks; what they share stands in its notes."""
+    """The part of `Surface` with its mesh, its tasks and how it asks the core; what tasks share is in its notes."""
 
-    #: What a question is answered by if it does not say.
+    #: The method of a question that names none.
     _default_method: ClassVar[str] = "automatic"
 
     _shared: Shared
@@ -101,7 +101,7 @@ class Tasks:
         return check.choice("method", self._default_method if method is None else method, choices)
 
     def _core(self, to: bool) -> _core.Surface:
-        """What is asked about the ways from points, or to them; they only differ in a metric that goes one way."""
+        """The core's surface for ways from points, or to them; these only differ in a metric that goes one way."""
         return self._shared.core.reversed() if to else self._shared.core
 
     def _ask(
@@ -112,7 +112,7 @@ class Tasks:
         progress: ProgressFunction | bool | None = None,
         choices: tuple[str, ...] = METHODS[:3],
     ) -> Any:
-        """What the core answers to a question, without what it says of the answer, which is noted."""
+        """What the core answers to a question; what it says about the answer is noted in `last`."""
         how = self._method(method, choices)
         with reporter(progress) as report:
             *found, answered = question(*arguments, how, report)
@@ -120,7 +120,7 @@ class Tasks:
         return found
 
     def _array(self, question: Callable[..., Any], *arguments: Any, **how: Any) -> NDArray[Any]:
-        """The same for a question whose answer is one array."""
+        """As `_ask`, for a question whose answer is one array."""
         found: NDArray[Any]
         (found,) = self._ask(question, *arguments, **how)
         return found
@@ -195,7 +195,7 @@ class Tasks:
     def _line_rows(
         self, name: str, lines: GeodesicPath | Points | list[GeodesicPath | Points]
     ) -> tuple[Rows, NDArray[np.int32]]:
-        """The points of one or several lines, and where each begins and the last one ends."""
+        """The points of one or several lines, and where each line begins and the last one ends."""
         several = isinstance(lines, list) and any(
             isinstance(line, GeodesicPath) or not point_lists.is_single(line) for line in lines
         )
@@ -209,9 +209,9 @@ class Tasks:
     def _source_rows(
         self, sources: Sources, list_name: str = "sources", spacing: float = 0.0
     ) -> tuple[Rows, NDArray[np.int32]]:
-        """Sources as points, and for each the position of its source in the list; a curve or path is one source.
+        """Sources as points, and for each point the position of its source in the list; a curve or path is one source.
 
-        `spacing` of the points along paths: 0 is a quarter of the typical edge.
+        `spacing`: of the points along paths; 0 is a quarter of the typical edge.
         """
         curves = EdgeCurve, GeodesicPath
         if not point_lists.holds(sources, curves):
@@ -267,9 +267,9 @@ class Tasks:
         Parameters
         ----------
         points : k points
-            Of the rows, and of the columns if there are no `others`; may repeat.
+            Points of the rows, and of the columns if there are no `others`; may repeat.
         others : m points, optional
-            Of the columns.
+            Points of the columns.
         entries : {"automatic", "pairs", "fields"}
             How they are computed from an index. "pairs": the values of `distance`. "fields": read from the field of
             each point; without `others`, from that of one point of each pair, so that the matrix is symmetric. Both
@@ -372,14 +372,14 @@ class Tasks:
         as_arrays : bool, default False
             Whether to return `SparseDistances` even if scipy is installed.
         max_bytes : int, optional
-            `pairs_within_bytes` estimates what is needed; what does not fit is noticed as soon as so many pairs are
-            found.
+            `pairs_within_bytes` estimates what is needed; `NotEnoughMemory` is raised as soon as more pairs are found
+            than fit.
 
         Returns
         -------
         scipy.sparse.csr_array or SparseDistances, shape (k, k) or (k, m)
             Distances from the row's point to the column's; those of 0 (repeated points) are stored as well. Without
-            `others` without a diagonal, and symmetric to the last bit but in a metric that goes one way.
+            `others`, there is no diagonal, and it is symmetric to the last bit except in a metric that goes one way.
             `SparseDistances` where scipy is not installed.
         """
         rows = self._rows("points", points)
@@ -420,7 +420,7 @@ class Tasks:
         dtype: DTypeLike = np.float64,
         to: bool = False,
     ) -> tuple[NDArray[Any], NDArray[np.int32]]:
-        """The k nearest of a set of points, for each query point: as many fields as the shorter list of these is long.
+        """The k nearest of a set of points for each query point, by as many fields as the shorter list has points.
 
         Parameters
         ----------
@@ -430,7 +430,7 @@ class Tasks:
         k : int, default 1
             Number of neighbours; may be larger than the set.
         to : bool, default False
-            Nearest by the ways to the set instead of from it.
+            Whether distances are those to the set instead of from it.
 
         Returns
         -------
@@ -458,8 +458,8 @@ class Tasks:
         Borders are exact on flat parts of the surface, given the distances of the vertices: in each face the difference
         of two squared distances is interpolated linearly. Complexity: a field for each point, bounded by the greatest
         distance of a vertex from its point. At least one point is given; one that repeats an earlier one owns nothing.
-        In a metric that goes one way, regions are those that each point reaches first; with `to`, those from which one
-        reaches it first.
+        In a metric that goes one way, the region of a point is what it reaches first; with `to`, what is nearest by the
+        ways to it.
         """
         chosen = self._rows("points", points, least=1)
         vertex_region, distance, face_region, area, ends, edges, sides = self._ask(
@@ -525,9 +525,9 @@ class Tasks:
         start : points, optional
             The first samples, anywhere on the surface; without them the first one is random.
         seed : int, default 0
-            Of the random first sample.
+            Seed of the random first sample.
         to : bool, default False
-            Far by the ways to samples instead of from them.
+            Whether distances are those to samples instead of from them.
         """
         limit = 0 if count is None else check.integer("count", count, 1, 2**31 - 1)
         reach = check.length("radius", radius)
@@ -624,8 +624,9 @@ class Tasks:
     ) -> RelaxedPoints:
         """Lloyd relaxation: move points to the middle of their geodesic Voronoi regions, at vertices.
 
-        All move if that lowers the integral of squared geodesic distances over the surface, otherwise those over whose
-        region it does. Complexity: one or two fields from all points for each round, for which `method` may be "quick".
+        All points move if that lowers the integral of squared geodesic distances over the surface, otherwise only those
+        over whose region it falls. Complexity: one or two fields from all points for each round, for which `method` may
+        be "quick".
 
         Parameters
         ----------

@@ -10,8 +10,8 @@
 namespace vorogeo::test {
 
 /// Calls `attempt(random)` with a fresh seed until the time is up; an exception ends the run and prints the
-/// seed. Usage of the program: PROGRAM SECONDS [FIRST_SEED]. With the seed of a failure and 0 seconds it
-/// repeats that one.
+/// seed. Usage of the program: PROGRAM SECONDS [FIRST_SEED]. With 0 seconds and the seed of a failure it
+/// repeats that failure.
 template <class Attempt>
 int fuzz(int argc, char** argv, Attempt&& attempt) {
   const double seconds = argc > 1 ? std::atof(argv[1]) : 10.0;

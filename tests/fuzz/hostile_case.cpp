@@ -1,4 +1,4 @@
-// Findings, and checks of distances that need no second opinion.
+// Findings, and checks of distances that need no reference.
 #include "fuzz/hostile_case.h"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ HostileCase::HostileCase(unsigned case_seed, HostileMesh mesh_of_seed, HostileTa
   options.threads = 1;
   options.delta = random.one_in(4) ? 0.01 : 0.0;
   // Most meshes here are smaller than one automatic patch, which answers everything exactly. With patches as
-  // small as these, all borders are split into many parts: twelve of them take 0.15 s whatever the mesh.
+  // small as these, all borders are split into many parts: twelve patches take 0.15 s whatever the mesh.
   constexpr std::array<std::array<Index, 2>, 3> counts{{{2, 2}, {3, 4}, {6, 2}}};
   if (random.below(10) < 6) return;
   const auto [first, second] = counts[random.one_in(12) ? random.between(1, 2) : 0];
@@ -128,7 +128,7 @@ bool HostileCase::attempt(const std::function<void()>& answer, bool may_refuse) 
 
 void HostileCase::note_error(ErrorKind kind, double actual, double exact_distance) {
   if (seed == scan_seed) return;
-  // Between points at the same place any relative error is infinite; rounding is not reported.
+  // Between points at one place, rounding alone makes any relative error infinite; it is not reported.
   const double least = 1e-9 * typical;
   if (exact_distance < least || exact_distance == unreachable || actual == unreachable) return;
   tally.errors[static_cast<int>(kind)].add((actual - exact_distance) / exact_distance, seed);
@@ -180,21 +180,21 @@ void check_costs(HostileCase& hostile, ScanCosts& scans) {
   const std::size_t size =
       std::max(hostile.hostile.soup.positions.size(), hostile.hostile.soup.faces.size() / 2);
   const Costs& scan = scans.of(size, hostile.patches, hostile.options);
-  // The errors of the clock and of a handful of pages.
+  // The errors of the clock, and a handful of pages.
   constexpr double clock = 0.01;
   constexpr double some_bytes = 1 << 20;
-  // Any answer may take an exact run; from tables, it takes next to no memory.
+  // Any answer may take an exact run, even if on the scan it comes from tables and takes next to no memory.
   const double exact_bytes = scan[static_cast<int>(Step::exact_field)].bytes;
   for (int i = 0; i < step_count; ++i) {
     const Cost& cost = hostile.costs[i];
     const double seconds = scan[i].seconds;
     const double bytes = std::max(scan[i].bytes, exact_bytes);
-    // What is beyond the clock and a handful of pages.
+    // Without the errors of the clock and a handful of pages.
     const double times = std::max(0.0, cost.seconds - clock) / seconds;
     const double memories = std::max(0.0, cost.bytes - some_bytes) / bytes;
     hostile.tally.times[i].add(times, hostile.seed);
     hostile.tally.memories[i].add(memories, hostile.seed);
-    // As a part of what is allowed.
+    // Relative to the cost that is allowed.
     hostile.dearest =
         std::max({hostile.dearest, times / most_of_a_scan[i].seconds, memories / most_of_a_scan[i].bytes});
     hostile.ask(hostile.index_text() + step_names[i]);

@@ -24,41 +24,41 @@ class HostileCase {
  public:
   HostileCase(unsigned seed, HostileMesh hostile, HostileTally& tally);
 
-  /// Checks the soup and makes the mesh of it; false if that has no face.
+  /// Checks the soup and makes the mesh from it; false if the mesh has no face.
   bool make_mesh();
   /// "index of 2 x 2 patches (0: chosen), delta 0: "
   std::string index_text() const;
   /// Notes the query, for findings and in case no answer comes.
   void ask(const std::string& question);
-  /// Prints a finding: what was asked last, `kind` (a few fixed words, for counting) and the numbers. Only
-  /// the first few of a kind for each mesh.
+  /// Counts a finding and prints it: the last question, `kind` (a few fixed words, for counting) and the
+  /// numbers. For each mesh, only the first few of a kind are printed.
   void fail(const std::string& kind, const std::string& numbers);
-  /// Runs `answer`; every exception is a finding, except an Error of ours with a sentence where `may_refuse`.
-  /// \return whether it ran to its end.
+  /// Runs `answer`; every exception is a finding, but for an Error with a sentence if `may_refuse`. \return
+  /// whether `answer` ran to its end.
   bool attempt(const std::function<void()>& answer, bool may_refuse = false);
   void note_error(ErrorKind kind, double actual, double exact);
 
-  /// How far two exact results may be apart: 1e-9 of the distance, and what rounding makes of a position on
-  /// the longest edge of the mesh. None where there is no way.
+  /// How far two exact results may be apart: 1e-9 of the distance, and the rounding of a position on the
+  /// longest edge of the mesh. 0 where no path leads.
   double slack(double distance) const {
     return distance < unreachable ? 1e-9 * distance + 1e-15 * longest_ : 0.0;
   }
   /// Whether two vertices are connected through faces, found from the soup alone.
   bool connected(Index a, Index b) const { return component_[a] == component_[b]; }
-  /// Complains if two distances of a vertex differ by more than the slack and `more`.
+  /// A finding if two distances of a vertex differ by more than the slack plus `more`.
   void require_same(const std::string& law, Index v, double expected, double actual, double more = 0.0);
-  /// The same of two fields.
+  /// The same for each vertex of two fields.
   void require_same(const std::string& law, const std::function<double(Index)>& expected,
                     const std::function<double(Index)>& actual, double more = 0.0);
-  /// Whether a vertex lies so far away that rounding of its place, or of lengths, bends what leads to it.
+  /// Whether a vertex lies so far away that rounding of positions or lengths bends the edges that lead to it.
   bool has_outlier() const { return farthest > 1e6 * mesh->typical_edge_length(); }
-  /// Complaints about distances from one vertex that need no second opinion: signs, NaN, what is reached,
-  /// differences along edges (relative slack `along_edges`), the straight line in space.
+  /// Checks distances from one vertex without a reference: signs, NaN, which vertices are reached,
+  /// differences along edges (with a relative slack of `along_edges`), the straight line in space.
   void require_sound(const std::vector<double>& field, Index source, double along_edges);
 
   unsigned seed;
   HostileMesh hostile;
-  HostileRandom random;  ///< what is asked
+  HostileRandom random;  ///< for the questions
   IndexOptions options;  ///< of the index
   Costs costs{};         ///< of the steps asked for
   Index patches = 0;     ///< of the second layer of the index
@@ -70,7 +70,7 @@ class HostileCase {
   std::array<std::vector<double>, 2> exact;
   double typical = 1.0;   ///< median edge
   double farthest = 0.0;  ///< largest coordinate
-  double dearest = 0.0;   ///< cost of a step, as a part of what it may cost
+  double dearest = 0.0;   ///< greatest cost of a step, as a part of what it may cost
   unsigned findings = 0;
 
  private:
@@ -85,24 +85,24 @@ class HostileCase {
 /// "1.25e-07" with all digits that a comparison needs.
 std::string exactly(double value);
 
-/// Two exact fields against the reference, closed forms and their own paths. After make_mesh().
+/// Checks two exact fields against the reference, closed forms and their own paths. After make_mesh().
 void check_exact(HostileCase& hostile);
-/// The exact fields against those of the same mesh renumbered, moved and subdivided, and against each other.
-/// After check_exact().
+/// Checks the exact fields against those of the same mesh renumbered, moved and subdivided, and against each
+/// other. After check_exact().
 void check_laws(HostileCase& hostile);
-/// Fields in other metrics, which say where they are those of lengths. After check_exact().
+/// Checks fields in other metrics, against exact fields of lengths where these follow. After check_exact().
 void check_metrics(HostileCase& hostile);
-/// Fields of the mesh with its gaps bridged. After check_exact().
+/// Checks fields of the mesh with its gaps bridged. After check_exact().
 void check_gaps(HostileCase& hostile);
-/// Tasks that are answered exactly. After check_exact().
+/// Checks tasks that are answered exactly. After check_exact().
 void check_tasks(HostileCase& hostile);
 /// Builds an index and checks it against the exact fields.
 void check_index(HostileCase& hostile);
-/// Refined, exact and uncertified paths from the first source to targets, and from a point inside a face to
-/// the first of them. Part of check_index().
+/// Checks refined, exact and uncertified paths from the first source to the targets, and from a point inside
+/// a face to the first target. Part of check_index().
 void check_paths(HostileCase& hostile, const std::shared_ptr<const GeodesicIndex>& index,
                  const std::vector<Index>& targets, const SurfacePoint& inside);
-/// Complains about steps that cost too many times what they cost on a scan. After check_index().
+/// Checks that no step costs too many times what it costs on a scan. After check_index().
 void check_costs(HostileCase& hostile, ScanCosts& scans);
 
 }  // namespace vorogeo::test

@@ -1,5 +1,5 @@
-// Counts allocations by replacing the global operators; the fuzzer is a program of its own, so no test sees
-// them.
+// Counts allocations by replacing the global operators new and delete; the fuzzer is a program of its own, so
+// no test is affected.
 #include "fuzz/hostile_cost.h"
 
 #include <malloc.h>
@@ -102,7 +102,7 @@ const Measured& ScanCosts::measured(std::size_t size, const IndexOptions& option
   const auto found = known_.find(key);
   if (found != known_.end()) return found->second;
   HostileRandom random(size);
-  // A ring leaves out vertices that fill no row, fewer than an eighth.
+  // A large scan is a torus of whole rows, with up to an eighth fewer vertices than asked for.
   const HostileMesh scan = hostile_base(HostileBase::scan, static_cast<int>(size + size / 8), random);
   return known_[key] = measure_(scan, options);
 }

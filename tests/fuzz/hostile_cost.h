@@ -32,9 +32,9 @@ struct Cost {
 using Costs = std::array<Cost, step_count>;
 
 /// How many times the cost of a scan each step may take on a hostile mesh; more is a finding. Ten, but for
-/// the times of pairs and exact paths. Tables or short exact runs answer these on a scan, where among needles
-/// a run crosses all faces: with 4,000 vertices it takes as long as 50 to 100 answers from tables, and with
-/// 50 whose coordinates are rounded to an edge (seeds 746, 893 and 936) as long as 20 to 80 short runs.
+/// the times of pairs and exact paths: on a scan, tables or short exact runs answer these, while among
+/// needles a run crosses all faces. With 4,000 vertices it takes as long as 50 to 100 answers from tables,
+/// with 50 whose coordinates are rounded to an edge (seeds 746, 893, 936) as long as 20 to 80 short runs.
 inline constexpr Costs most_of_a_scan{{
     {10.0, 10.0},   // exact field
     {10.0, 10.0},   // build
@@ -53,15 +53,15 @@ struct Measured {
   Index patches = 0;
 };
 
-/// Costs of all steps on a scan that has at least as many vertices, and at most some more than twice as many,
-/// measured once per process.
+/// Costs of all steps on a scan that has at least as many vertices as a mesh, and at most somewhat more than
+/// twice as many; measured once per process.
 class ScanCosts {
  public:
   /// `measure`: runs all steps on a mesh.
   explicit ScanCosts(std::function<Measured(const HostileMesh&, const IndexOptions&)> measure)
       : measure_(std::move(measure)) {}
-  /// `patches`: how many second-layer patches the mesh got. A scan, which is coarse where it is small, is one
-  /// patch longer than a flat mesh: that has no tables, and is asked for two where the mesh has several.
+  /// `patches`: how many second-layer patches the mesh got. A small scan is coarse, so up to a larger size
+  /// than a flat mesh it is one patch, without tables: it is then built with two where the mesh has several.
   const Costs& of(std::size_t vertices, Index patches, const IndexOptions& options);
 
  private:

@@ -1,4 +1,4 @@
-// The exact field against what shares no code with it.
+// The exact field against references that share no code with it.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,7 +17,7 @@ constexpr int points_per_edge = 3;
 constexpr int targets = 4;
 constexpr std::array thread_counts{2, 3, 8};
 
-/// Closed forms where the surface unrolls, the graph's bounds elsewhere.
+/// Compares with closed forms where the surface unrolls, with the graph's upper bounds everywhere.
 void check_against_reference(HostileCase& hostile, Index source, const std::vector<double>& field,
                              const SubdividedGraph& graph) {
   const auto& flat = hostile.hostile.flat;
@@ -39,8 +39,8 @@ void check_against_reference(HostileCase& hostile, Index source, const std::vect
   }
 }
 
-/// The solver's own path proves that its distance is not too short, the tightened one that it is not too
-/// long.
+/// The solver's own path proves that its distance is not too short, the graph's tightened path that it is not
+/// too long.
 void check_path(HostileCase& hostile, const ExactSolver& solver, const SubdividedGraph& graph, Index source,
                 Index target) {
   hostile.ask("exact path from vertex " + std::to_string(source) + " to " + std::to_string(target));
@@ -93,8 +93,8 @@ void check_threads(HostileCase& hostile, ExactSolver& solver, Index source,
   }
 }
 
-/// The same distances if paths are sought around every vertex in every direction, not only where one can
-/// bend: no window that was left out makes a distance shorter.
+/// The same distances if every vertex emits windows in every direction, not only vertices where a path can
+/// bend: no window that is left out would make a distance shorter.
 void check_bends(HostileCase& hostile, Index source, const std::vector<double>& field) {
   const auto everywhere = std::make_shared<ExactGeometry>(hostile.mesh);
   std::ranges::fill(everywhere->can_bend, ExactGeometry::anywhere);

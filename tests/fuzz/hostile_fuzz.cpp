@@ -1,5 +1,5 @@
-// Hostile meshes through everything: build, fields, pairs, paths, Voronoi regions, files, against the exact
-// field, and that against a reference that shares no code. See tests/README.md.
+// Hostile meshes through everything: build, fields, pairs, paths, Voronoi regions and files are compared with
+// the exact field, and that with a reference that shares no code with it. See tests/README.md.
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -42,7 +42,7 @@ constexpr const char* usage =
 struct Options {
   unsigned first = 1;
   unsigned count = 1000;
-  double seconds = 0.0;  ///< 0: count alone ends the run
+  double seconds = 0.0;  ///< 0: only `count` ends the run
   int vertices = 60;
   bool mixed = false;
   int jobs = 1;
@@ -58,20 +58,19 @@ constexpr double slowness = 20.0;  // of the sanitizers
 constexpr double slowness = 1.0;
 constexpr rlim_t max_memory = rlim_t{4} << 30;
 #endif
-/// Processor time after which a mesh is assumed never to end; the slowest scan of this size takes a
-/// hundredth.
+/// Processor time after which a mesh is assumed to hang; the slowest scan of this size takes 1 % of it.
 double max_mesh_seconds(int vertices) { return slowness * (5.0 + 0.05 * vertices); }
 
 int size_of(unsigned seed, const Options& options) {
   if (!options.mixed) return options.vertices;
   constexpr std::array sizes{60, 60, 60, 60, 60,  60,  60,  60,  60,  60,
                              60, 60, 60, 60, 200, 200, 200, 200, 600, 2500};
-  // One in 200 is larger: that is where threads share a field.
+  // One in 200 is larger, so that threads share a field.
   const std::size_t draw = HostileRandom(seed).below(200);
   return draw == 199 ? 6000 : sizes[draw % sizes.size()];
 }
 
-/// Sizes at the limits of floating-point numbers, or corners anywhere: non-manifold in every way.
+/// Scales a mesh up to the limits of lengths, or moves corners to any vertex: non-manifold in every way.
 void spoil(HostileMesh& mesh, HostileRandom random) {
   mesh.flat.clear();
   if (random.one_in(2)) {
@@ -86,7 +85,7 @@ void spoil(HostileMesh& mesh, HostileRandom random) {
   mesh.defects.emplace_back("corners anywhere");
 }
 
-/// The mesh with a coordinate that is no number, or a corner that is no vertex, is none.
+/// Checks that a mesh with a coordinate that is not finite, or a corner that is no vertex, is refused.
 void require_refusals(HostileCase& hostile) {
   const Soup& soup = hostile.hostile.soup;
   HostileRandom random(hostile.seed);
@@ -136,7 +135,7 @@ ScanCosts scan_costs(const Options& options, HostileTally& tally) {
 }
 
 void examine_seed(unsigned seed, const Options& options, HostileTally& tally, ScanCosts& scans) {
-  // In this order: a mesh is not to be judged by the time of the one before.
+  // In this order, as the parent would otherwise charge this seed with the time of the mesh before.
   tally.mesh_seconds = processor_seconds();
   tally.seed = seed;
   std::strcpy(tally.question, "generator");
@@ -147,7 +146,7 @@ void examine_seed(unsigned seed, const Options& options, HostileTally& tally, Sc
   if (options.spoilt) spoil(mesh, HostileRandom(seed));
   HostileCase hostile(seed, std::move(mesh), tally);
   if (options.spoilt) require_refusals(hostile);
-  // What a check itself throws, as where its reference finds no memory, is a finding as well.
+  // An exception of a check itself, as where its reference finds no memory, is a finding as well.
   hostile.attempt([&] { examine(hostile, options, options.costs ? &scans : nullptr); });
   ++tally.meshes;
   for (const std::size_t kind : hostile.hostile.kinds) {
@@ -162,8 +161,8 @@ void examine_seed(unsigned seed, const Options& options, HostileTally& tally, Sc
 struct Worker {
   HostileTally* tally = nullptr;
   std::uint64_t next = 0;
-  std::uint64_t end = 0;  ///< past the last seed at most, whatever the count
-  pid_t process = 0;      ///< 0: none runs
+  std::uint64_t end = 0;  ///< one past the last seed, at most 2^32
+  pid_t process = 0;      ///< 0: none is running
 
   void start(const Options& options, double deadline) {
     std::fflush(stdout);
@@ -180,7 +179,7 @@ struct Worker {
     }
     tally->finished = true;
     std::fflush(stdout);
-    // Without destructors of the parent's state; leaks are looked for all the same.
+    // Without the destructors of main()'s variables, which belong to the parent; leaks are still looked for.
     std::exit(0);
   }
 
@@ -191,7 +190,7 @@ struct Worker {
     return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
   }
 
-  /// The mesh at work ended the process, or had to be ended with it.
+  /// Notes the mesh at work as a finding: its process crashed, leaked, or was killed because it hung.
   void note_lost(const Options& options, const std::string& how) {
     const unsigned seed = tally->seed;
     ++tally->findings;
@@ -209,7 +208,7 @@ struct Worker {
       if (next >= end || (deadline > 0.0 && static_cast<double>(time(nullptr)) > deadline)) return false;
       start(options, deadline);
     }
-    // Read in the other order than it is written.
+    // Read in the opposite order to that in which they are written: see examine_seed().
     const unsigned seed = tally->seed;
     const double seconds = processor_seconds_used() - tally->mesh_seconds;
     if (seconds > max_mesh_seconds(size_of(seed, options)) && tally->seed == seed && !tally->finished) {
@@ -253,7 +252,7 @@ int summary(const std::vector<Worker>& workers, double started) {
     }
     for (std::size_t i = 0; i < total.kinds.size(); ++i) total.kinds[i].add(tally.kinds[i]);
   }
-  // Tables as documents have them: run.sh --report.
+  // Tables in Markdown, which run.sh --report copies into docs/hostile.md.
   std::printf(
       "| times a scan's | meshes | time, at most | seed | memory, at most | seed "
       "|\n|---|--:|--:|---|--:|---|\n");
@@ -351,7 +350,7 @@ int main(int argc, char** argv) {
     workers[i].end = std::min(std::uint64_t{options.first} + options.count, std::uint64_t{1} << 32);
   }
   if (options.single) {
-    // Under a debugger there is nothing between it and the mesh.
+    // In this process, so that a debugger sees it.
     HostileTally& tally = *workers[0].tally;
     ScanCosts scans = scan_costs(options, tally);
     examine_seed(options.first, options, tally, scans);

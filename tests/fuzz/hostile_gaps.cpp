@@ -1,5 +1,5 @@
-// Gaps: bridges join borders and nothing else; no distance gets longer or shorter than the straight line, and
-// the mesh torn into loose triangles is the mesh.
+// Gaps: bridges join borders and nothing else; no distance gets longer, or shorter than the straight line,
+// and the mesh torn into loose triangles gives the same distances.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace vorogeo::test {
 
 namespace {
 
-/// Above this number of faces, the mesh is not torn into all its faces.
+/// Above this number of faces, the mesh is not torn into loose triangles.
 constexpr std::size_t few_faces = 1000;
 
 /// The exact field of a mesh with its gaps up to a limit bridged.
@@ -47,8 +47,8 @@ void check_bridges(HostileCase& hostile, HostileRandom& random) {
   }
 }
 
-/// Every face with vertices of its own, at the same places: with a limit of next to nothing, the same
-/// surface. Where two vertices lie at one place, these are one as well.
+/// Every face gets vertices of its own, at the same places: bridging gaps of next to no width restores the
+/// surface. Not for meshes with two vertices at one place, which bridging would join as well.
 void check_loose(HostileCase& hostile) {
   const Soup& soup = hostile.hostile.soup;
   if (soup.faces.size() > few_faces) return;

@@ -1,4 +1,4 @@
-// An index against the exact field: fields, pairs, paths, Voronoi regions, costs, and the same from a file.
+// An index against the exact field: fields, pairs, paths, Voronoi regions, costs, and the same index loaded.
 #include <algorithm>
 #include <cmath>
 
@@ -13,13 +13,13 @@ namespace vorogeo::test {
 namespace {
 
 constexpr int pairs = 4;
-/// Relative errors allowed to an index: larger ones are findings. Documented errors are those of meshes as
-/// people have them (docs/figures.md); here patches have a handful of faces of any shape.
+/// Relative errors of an index above this are findings. Documented errors (docs/figures.md) are those of
+/// usual meshes; here patches have a handful of faces of any shape.
 constexpr double greatest_error = 0.5;
-/// The same of quick fields: more than any has erred by.
+/// The same for quick fields: more than the greatest error measured.
 constexpr double greatest_quick_error = 0.01;
 
-/// Answers that are asked for twice, from the built and from the loaded index.
+/// Answers to be compared between the built and the loaded index.
 struct Answers {
   std::vector<double> numbers;
   bool operator==(const Answers&) const = default;
@@ -44,9 +44,9 @@ class IndexCheck {
   void check_pairs();
   void check_voronoi();
   void check_file();
-  /// As from one thread.
+  /// Several threads give the same answers and the same index as one.
   void check_threads();
-  /// The other approximate answer, which has no bound of its errors.
+  /// The quick field, an approximate answer without an index; its errors have no proven bound.
   void check_quick();
 
  private:
@@ -230,7 +230,7 @@ void IndexCheck::check_threads() {
         "several threads give other regions", [&](Index v) { return from_one[v]; },
         [&](Index v) { return from_several[v]; });
   });
-  // A build takes longer than all else.
+  // Not on every mesh, as a build takes longer than everything else.
   if (!hostile_.random.one_in(4)) return;
   ask("build by " + several);
   hostile_.attempt([&] {

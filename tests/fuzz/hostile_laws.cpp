@@ -1,4 +1,4 @@
-// What exact fields keep to on every mesh: the mesh told in other words has the same distances.
+// Laws of exact fields on every mesh: another description of the same surface gives the same distances.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,8 +17,8 @@ namespace vorogeo::test {
 
 namespace {
 
-/// Vertices, faces and corners in random order, so that some faces are turned over. `place` receives the new
-/// number of each vertex.
+/// The mesh with vertices, faces and corners in random order, so that some faces are turned over. `place`
+/// receives the new number of each vertex.
 Soup reordered(const Soup& soup, HostileRandom& random, std::vector<Index>& place) {
   place.resize(soup.positions.size());
   std::iota(place.begin(), place.end(), 0);
@@ -29,7 +29,7 @@ Soup reordered(const Soup& soup, HostileRandom& random, std::vector<Index>& plac
   return result;
 }
 
-/// Axes in another order and the other way round, and a size of another power of two: what rounds nothing.
+/// The mesh with axes permuted and flipped, and scaled by a power of two: all without rounding.
 Soup moved_exactly(const Soup& soup, HostileRandom& random, double& scale) {
   std::array axis{0, 1, 2};
   std::swap(axis[0], axis[random.below(3)]);
@@ -44,16 +44,15 @@ Soup moved_exactly(const Soup& soup, HostileRandom& random, double& scale) {
   return result;
 }
 
-/// A mesh torn open along a line: neither side of it is the other's neighbour.
+/// A mesh torn open along a line, so that faces on both sides of it are no neighbours.
 struct Torn {
   Soup soup;
-  std::vector<Index> vertex_of;  ///< by vertex: which one of the cut mesh it is
+  std::vector<Index> vertex_of;  ///< for each vertex, that of the cut mesh
 };
 
-/// At each vertex on the way, the faces fall into parts that share edges which are not of the line. Those
-/// that border the line on the way there and on the way on are sides to walk along, and all but the first get
-/// a vertex of their own. Other parts, as beside a hole that the line touches, are reached from that first
-/// one.
+/// At each inner vertex of the line, the faces fall into parts that are connected over edges not on the line.
+/// Parts with faces at both edges of the line there are its sides, and all but the first get a vertex of
+/// their own. Other parts, as beside a hole that the line touches, keep the vertex of the first side.
 Torn torn_along(const CutMesh& cut, std::vector<Point> positions, const std::vector<Index>& line) {
   Torn torn{{std::move(positions), cut.faces}, {}};
   torn.vertex_of.resize(torn.soup.positions.size());
@@ -66,7 +65,7 @@ Torn torn_along(const CutMesh& cut, std::vector<Point> positions, const std::vec
     const Index v = line[i];
     const std::vector<Index>& around = faces_at[v];
     DisjointSets parts(static_cast<Index>(around.size()));
-    std::map<Index, Index> first_with;  // by neighbour over an edge that is not of the line
+    std::map<Index, Index> first_with;  // by the other vertex of an edge that is not on the line
     for (std::size_t k = 0; k < around.size(); ++k) {
       for (const Index w : cut.faces[around[k]]) {
         if (w == v || w == line[i - 1] || w == line[i + 1]) continue;
@@ -113,14 +112,14 @@ class Laws {
     double scale = 1.0;
     const Soup moved = moved_exactly(soup, random_, scale);
     check_same("a motion changes a distance", moved, place, scale, 0.0);
-    // A middle is rounded, by some 1e-16 of its place; a path may lead over many.
+    // Midpoints of edges are rounded, by some 1e-16 of their coordinates; a path may cross many.
     check_same("subdivision changes a distance", in_four(soup), place, 1.0, 1e-14 * hostile_.farthest);
     check_constant_cost();
     check_cut();
   }
 
  private:
-  /// On another mesh, whose vertices are at `place` and whose lengths are `scale` times as long.
+  /// Compares with another mesh, whose vertex `place[v]` is v and whose lengths are `scale` times as long.
   void check_same(const std::string& law, const Soup& soup, const std::vector<Index>& place, double scale,
                   double more) {
     hostile_.ask("exact field of vertex " + std::to_string(hostile_.sources[0]) + " on another mesh");
@@ -135,14 +134,14 @@ class Laws {
         may_leave_range(scale));
   }
 
-  /// Whether lengths so many times as long, or half of that, may be too small or too great to be taken.
+  /// Whether lengths `scale` times as long, or half of that, may be outside the range that is accepted.
   bool may_leave_range(double scale) const {
     return !exact_lengths.allow(0.5 * scale * hostile_.mesh->mean_edge_length(),
                                 scale * hostile_.mesh->longest_edge_length());
   }
 
-  /// Lengths determine needles less well than positions do, and those that lead to an outlier hardly: beside
-  /// one, only an answer is asked for.
+  /// Lengths determine needles less well than positions do, and needles that lead to an outlier hardly at
+  /// all: with an outlier, the field is only computed, not compared.
   void check_constant_cost() {
     const Soup& soup = hostile_.hostile.soup;
     // No power of two, so that lengths round.
@@ -163,7 +162,7 @@ class Laws {
         may_leave_range(cost));
   }
 
-  /// Shortest paths from a vertex do not cross: torn along one of them, all distances from its ends stay.
+  /// Shortest paths from a vertex do not cross: tearing the mesh along one keeps all distances from its ends.
   void check_cut() {
     const auto& [source, other] = hostile_.sources;
     const Index target =
@@ -184,8 +183,8 @@ class Laws {
       if (line.empty() || line.front() != target || line.back() != source) return;
       const Torn torn = torn_along(cut, positions_of(*hostile_.mesh, cut.points), line);
       const auto mesh = std::make_shared<const Mesh>(torn.soup.positions, torn.soup.faces);
-      // Points of the line are rounded by units of the last place of the farthest vertex, and those very near
-      // a corner are that corner.
+      // Points of the line are rounded by units in the last place of the greatest coordinate, and points very
+      // near a corner become that corner.
       const double rounding =
           std::max(1e-12 * hostile_.farthest, 1e-8 * hostile_.mesh->longest_edge_length());
       for (int i = 0; i < (target == other ? 2 : 1); ++i) {
@@ -246,7 +245,7 @@ class Laws {
   }
 
   HostileCase& hostile_;
-  HostileRandom random_;  ///< its own, so that what else is asked of a seed stays
+  HostileRandom random_;  ///< its own, so that the other questions of a seed stay the same
   Index count_;
 };
 

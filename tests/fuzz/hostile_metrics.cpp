@@ -1,5 +1,5 @@
-// Fields in other metrics: where a metric multiplies lengths, stretches space or leaves faces out, fields are
-// those of another mesh; where it does not, they keep to bounds and to each other.
+// Fields in other metrics: where a metric scales lengths, stretches space or leaves faces out, they equal
+// fields of another mesh; elsewhere they keep within bounds and agree with each other.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,15 +15,15 @@ namespace vorogeo::test {
 
 namespace {
 
-/// Above this number of faces, a mesh is asked one of the laws.
+/// Above this number of faces, only one of the laws is checked on a mesh.
 constexpr Index few_faces = 500;
 
-/// Where a metric varies, distances are held against its bounds where the height of every face is a greater
-/// part of its longest side: beside flatter ones, waves between points are off by more. With costs at
-/// vertices, exact runs may have no end there, and with winds, points on edges are reached many times.
+/// Where a metric varies, distances are checked only if the height of every face is a greater part of its
+/// longest side than this: beside flatter faces, waves between points are off by more. With costs at
+/// vertices, exact runs may not end there, and with winds, points on edges are reached many times.
 constexpr double flattest_face = 1e-3;
 
-/// What fields by points on edges may be beyond the bounds that costs give, relative: their errors add up.
+/// How far fields by points on edges may exceed the bounds given by costs, relative: their errors add up.
 constexpr double greatest_excess = 0.02;
 
 class Metrics {
@@ -62,7 +62,7 @@ class Metrics {
     return false;
   }
 
-  /// As a user gets it. `to`: by the ways to the source.
+  /// The field as a user gets it. `to`: of distances to the source instead of from it.
   Field field(const Metric& metric, bool to = false) const {
     return field_of(soup_.positions, metric, source_, to);
   }
@@ -78,14 +78,14 @@ class Metrics {
   /// Lengths determine needles less well than positions do.
   double rounding() const { return 1e-5 * hostile_.mesh->longest_edge_length(); }
 
-  /// Where a metric multiplies all lengths.
+  /// Where a metric multiplies all lengths by `scale`.
   void require_scaled(const std::string& law, const Field& actual, const Field& expected, double scale,
                       double more) {
     hostile_.require_same(
         law, [&](Index v) { return expected[v]; }, [&](Index v) { return actual[v] / scale; }, more);
   }
 
-  /// Where each unit of length costs something between two numbers.
+  /// Where a unit of length costs `least` to `greatest`.
   void require_between(const Field& actual, double least, double greatest) {
     if (has_flat_face()) return;
     for (std::size_t v = 0; v < actual.size(); ++v) {
@@ -105,7 +105,7 @@ class Metrics {
     }
   }
 
-  /// A matrix that stretches no direction more than twice as much as another.
+  /// A random matrix that stretches no direction more than twice as much as another.
   std::array<Point, 3> stretch() {
     std::array<Point, 3> rows{};
     for (int i = 0; i < 3; ++i) {
@@ -128,7 +128,7 @@ class Metrics {
     }
     return tensor;
   }
-  /// The exact field of the mesh in the space that a matrix makes of this one.
+  /// The exact field of the mesh whose positions are transformed by a matrix.
   Field stretched_field(const std::array<Point, 3>& rows) const {
     std::vector<Point> positions;
     for (const Point& p : soup_.positions) positions.push_back(image(rows, p));
@@ -156,7 +156,7 @@ class Metrics {
   void barriers() {
     const double price = random_.power(-3.0, 3.0);
     ask("the cost " + exactly(price) + " with barriers");
-    // Repeated faces alike, wherever they stand.
+    // The draw depends only on the corners, so that repeated faces have one cost wherever they stand.
     const std::size_t salt = random_.below(1U << 20);
     std::vector<double> cost;
     Soup open = soup_;
@@ -228,7 +228,7 @@ class Metrics {
                    hostile_.exact[0], 1.0, rounding());
   }
 
-  /// A wind in each face; without any, and from the other side.
+  /// No wind in any face, a wind in each, and the same reversed, with distances to the source.
   void winds() {
     if (has_flat_face()) return;
     const std::vector<Tensor> lengths(soup_.faces.size(), Tensor{1, 0, 0, 0, 1, 0, 0, 0, 1});
@@ -255,7 +255,7 @@ class Metrics {
                    there, 1.0, 0.0);
   }
 
-  /// One wind everywhere changes no path: it adds what it gains between the ends.
+  /// One wind everywhere changes no path: it adds a difference between the ends, the same for all paths.
   void constant_winds() {
     ask("the same drift in each face");
     const Point drift = moved({}, random_.direction(), random_.uniform(0.0, 0.5));
@@ -276,14 +276,14 @@ class Metrics {
   HostileCase& hostile_;
   const Soup& soup_;
   const Index source_;
-  HostileRandom random_;  ///< its own for each law, so that what else is asked of a seed stays
+  HostileRandom random_;  ///< its own for each law, so that other questions of a seed stay the same
 };
 
 }  // namespace
 
 void check_metrics(HostileCase& hostile) {
   if (hostile.exact[1].empty() || hostile.has_outlier()) return;
-  // Sides and tensors are squared.
+  // Sides and tensors are squared, which leaves the range of numbers sooner.
   if (hostile.mesh->longest_edge_length() > 1e28 || hostile.mesh->mean_edge_length() < 1e-28) return;
   Metrics(hostile).check();
 }

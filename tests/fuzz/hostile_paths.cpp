@@ -1,4 +1,4 @@
-// Paths of an index: ends, faces, summed length, and the exact distance.
+// Paths of an index: their ends, faces and summed length, and their excess over the exact distance.
 #include <cmath>
 #include <optional>
 
@@ -28,7 +28,7 @@ void check_one_path(HostileCase& hostile, PathQuery& query, const SurfacePoint& 
     if (!(path.length >= exact - hostile.slack(exact))) {
       hostile.fail(name + " path is shorter than the exact distance", numbers);
     }
-    // A path along a hundred edges of no length rounds at each of its points.
+    // A path over a hundred edges of length 0 is rounded at each of its points.
     const double rounding = 1e-16 * static_cast<double>(path.points.size()) * mesh.longest_edge_length();
     if (certified && !(path.length <= exact + hostile.slack(exact) + rounding)) {
       hostile.fail("certified path is too long", numbers);

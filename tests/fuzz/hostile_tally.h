@@ -34,7 +34,7 @@ inline constexpr std::array<const char*, error_kind_count> error_kind_names{"fie
                                                                             "beyond the bounds of face costs",
                                                                             "tightened reference"};
 
-/// Absolute relative errors by their logarithm, so that millions take no memory.
+/// Absolute values of relative errors, in bins of their logarithm, so that millions take no memory.
 struct ErrorHistogram {
   static constexpr int bins_per_decade = 10;
   static constexpr int lowest_decade = -12;
@@ -78,7 +78,7 @@ struct ErrorHistogram {
   }
 };
 
-/// How many times a scan's a step cost, in time or in memory.
+/// How many times the cost on a scan a step took, in time or in memory.
 struct CostRatios {
   unsigned meshes = 0;
   double largest = 0.0;
@@ -102,7 +102,7 @@ struct CostRatios {
 struct KindTally {
   unsigned meshes = 0;
   unsigned with_findings = 0;
-  CostRatios dearest;  ///< step, as a part of what it may cost
+  CostRatios dearest;  ///< step of a mesh, as a part of what it may cost
 
   void add(const KindTally& other) {
     meshes += other.meshes;
@@ -111,12 +111,12 @@ struct KindTally {
   }
 };
 
-/// One process of a run. Written by it, read by its parent when it has ended or hangs.
+/// The counts of one process of a run. It writes them; its parent reads them when it has ended or hangs.
 struct HostileTally {
   std::atomic<unsigned> seed = 0;        ///< the mesh at work
   char size_argument[32]{};              ///< what is needed besides --seed to make the same mesh
-  char question[160]{};                  ///< what it is asked
-  char sentence[512]{};                  ///< and what it is
+  char question[160]{};                  ///< the last question
+  char sentence[512]{};                  ///< the description of the mesh
   bool finished = false;                 ///< all seeds done
   std::atomic<double> mesh_seconds = 0;  ///< processor time of the process when the mesh began
   unsigned meshes = 0;

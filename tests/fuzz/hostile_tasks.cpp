@@ -17,11 +17,11 @@ namespace vorogeo::test {
 
 namespace {
 
-/// Vertices that are asked for besides the two sources.
+/// Vertices that are used besides the two sources.
 constexpr int more_points = 6;
 constexpr Index samples_asked = 6;
 constexpr Index fields_of_extent = 8;
-/// Samples from which the others are measured.
+/// Samples whose distances to the others are checked.
 constexpr std::size_t fields_of_samples = 10;
 
 class TaskCheck {
@@ -154,7 +154,7 @@ class TaskCheck {
   HostileRandom random_;
   Surface surface_;
   std::vector<Index> points_;  ///< the sources first
-  double farthest_ = 0.0;      ///< vertex from the first source
+  double farthest_ = 0.0;      ///< distance from the first source
   double radius_ = 0.0;
   const TaskOptions by_exact_{.by = Answer::exact};
 };

@@ -17,7 +17,7 @@ using Random = std::mt19937;
 
 std::size_t below(Random& random, std::size_t count) { return count == 0 ? 0 : random() % count; }
 
-/// Bits flipped, bytes overwritten, the file cut, parts repeated: checksums do not fit.
+/// The file with bits flipped, bytes overwritten, cut off or with parts repeated: checksums do not fit.
 std::string damaged(std::string bytes, Random& random) {
   switch (random() % 5) {
     case 0:
@@ -44,11 +44,11 @@ std::string damaged(std::string bytes, Random& random) {
   return bytes;
 }
 
-/// Elements of blocks changed, blocks cut, grown or exchanged, with checksums that fit.
+/// The file with elements of blocks changed, blocks cut, extended or swapped, with checksums that fit.
 std::string contradicting(const std::string& bytes, Random& random) {
   auto blocks = test::index_blocks(bytes);
   for (std::size_t i = 1 + random() % 3; i > 0; --i) {
-    // The fingerprint stays, as otherwise nothing else is checked.
+    // The first block, the fingerprint, stays: otherwise loading ends there and checks nothing else.
     auto& block = blocks[1 + below(random, blocks.size() - 1)];
     switch (random() % 8) {
       case 0:
@@ -63,7 +63,7 @@ std::string contradicting(const std::string& bytes, Random& random) {
       default:
         if (block.count() == 0) break;
         for (std::size_t k = 1 + random() % 4; k > 0; --k) {
-          // Small numbers are plausible indices, the others break ranges and signs.
+          // Small numbers are plausible ids, the others violate ranges and signs.
           const Index value = random() % 2 ? Index(random() % 16) : Index(random());
           block.set<Index>(below(random, block.contents.size() / sizeof(Index)), value);
         }
@@ -105,7 +105,7 @@ void attempt(const Sample& sample, Random& random) {
     const auto b = static_cast<Index>(random() % vertices);
     const double distance = query.distance(a, b);
     const auto field = query.distance_field(std::array{a, b});
-    // Whatever slipped through a checksum would have to be the same index.
+    // A damaged file that loads all the same must hold the same index.
     if (checksums_fit) continue;
     if (distance != original.distance(a, b) || field != original.distance_field(std::array{a, b})) {
       throw std::runtime_error("a damaged file was loaded and answers differently");
