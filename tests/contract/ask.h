@@ -1,4 +1,4 @@
-// Every public question, as the contract tests ask it: the only file here that knows the classes that answer.
+// Every public question as contract tests ask it: the only file of this folder that knows the core's classes.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +35,7 @@ inline const char* to_string(By by) {
   return by == By::exact ? "exact" : by == By::index ? "from the index" : "quick";
 }
 
-// Metrics, each with a value for each vertex or face. EdgeLengths: of the sides opposite the corners.
+// Metrics, each with a value for each vertex or face. EdgeLengths: of the sides opposite each corner.
 struct EdgeLengths {
   SideLengths sides;
 };
@@ -61,7 +61,7 @@ struct Input {
   bool folds = false;
 };
 
-/// How the index is built. Patches: of the first layer, and of the second in each of these; 0: chosen.
+/// How the index is built: patches of the first layer, and of the second in each of these; 0: automatic.
 struct Build {
   Index patches = 0;
   Index patches_in_each = 0;
@@ -94,7 +94,7 @@ class Ask {
     surface_ = std::make_unique<vorogeo::Surface>(mesh_, options_);
   }
   explicit Ask(const test::Soup& soup, const Build& build = {}) : Ask(Input{soup}, build) {}
-  /// With the index in a file.
+  /// With the index loaded from a file.
   static Ask loaded(const std::filesystem::path& file, const Input& input, const Build& build = {}) {
     Ask ask(input, build);
     ask.surface_ = std::make_unique<vorogeo::Surface>(ask.mesh_, GeodesicIndex::load(file, ask.mesh_),
@@ -121,7 +121,7 @@ class Ask {
     Answered answered;
     return surface_->distance(into(a), into(b), method(by), answered);
   }
-  /// From the index the refined path.
+  /// The refined path, if it is answered by the index.
   Path path(const SurfacePoint& a, const SurfacePoint& b, By by) const { return path(a, b, by, false); }
   /// The path that is proven to be shortest.
   Path exact_path(const SurfacePoint& a, const SurfacePoint& b, By by) const { return path(a, b, by, true); }
@@ -133,7 +133,7 @@ class Ask {
                     task(by));
     return result;
   }
-  /// Of one list with itself.
+  /// Between the points of one list.
   std::vector<double> matrix(const std::vector<SurfacePoint>& points, By by) const {
     std::vector<double> result(points.size() * points.size());
     distance_matrix(*surface_, into(points), MatrixMethod::automatic, std::span(result), task(by));
@@ -201,13 +201,13 @@ class Ask {
     for (const auto& line : lines) inside.push_back(into(line));
     return vorogeo::cut_along(*mesh_, inside);
   }
-  /// \pre No face is split. Faces left out are left out.
+  /// The mesh that is measured on, without the faces that are left out. \pre No face is split.
   const Mesh& mesh() const { return *mesh_; }
   /// Of a field of distances. \pre No face is split.
   Isolines isolines(const std::vector<double>& values, const std::vector<double>& levels) const {
     return vorogeo::isolines(*mesh_, values, levels, Interpolation::distance);
   }
-  /// Of any field, straight between the values of vertices. \pre No face is split.
+  /// Of any field, linear between the values of vertices. \pre No face is split.
   Isolines isolines_of_any(const std::vector<double>& values, const std::vector<double>& levels) const {
     return vorogeo::isolines(*mesh_, values, levels, Interpolation::linear);
   }
@@ -255,7 +255,7 @@ class Ask {
     return {std::move(found.path), found.certified};
   }
 
-  /// A point of the input on the mesh that is measured on. What is not on it is refused there.
+  /// A point of the input as one of the mesh that is measured on; if it is not on it, it is refused there.
   SurfacePoint into(const SurfacePoint& point) const {
     if (point.is_vertex() || point.face < 0 || point.face >= static_cast<Index>(input_.soup.faces.size())) {
       return point;
@@ -267,7 +267,7 @@ class Ask {
     for (const SurfacePoint& point : points) inside.push_back(into(point));
     return inside;
   }
-  /// The other way. Bridges over gaps are numbered after the faces of the input.
+  /// The inverse of into(). Bridges over gaps are numbered after the faces of the input.
   SurfacePoint out_of(const SurfacePoint& point) const {
     if (point.is_vertex() && point.vertex < vertex_count()) return point;
     if (!point.is_vertex() && mesh_->is_bridge(point.face)) {

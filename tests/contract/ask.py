@@ -1,4 +1,4 @@
-"""How each answerer is asked each question, and how exact it promises to be: the only file that knows these calls."""
+"""How each answerer is asked each question, and its promised errors: the only file here that knows these calls."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ import vorogeo
 from numpy.typing import NDArray
 from surfaces import Floats, Ids, Shape
 
-#: Who answers which question. "exact", "automatic" and "quick" are a Surface, "function" is a free function; "index",
-#: "fields" and "pairs" are read from an index, and "by index, exact" is what an index offers without errors.
+#: Who answers which question. "exact", "automatic" and "quick" ask a Surface, "function" a free function; "index",
+#: "fields" and "pairs" read from an index, and "by index, exact" asks an index for exact answers.
 FIELDS = ("exact", "automatic", "index", "by index, exact", "quick", "function")
 DISTANCES = ("exact", "automatic", "index", "by index, exact", "function")
 PATHS = ("exact", "automatic", "index", "by index, exact", "function")
@@ -32,7 +32,7 @@ class Errors:
     largest: float
 
 
-#: Twice those of docs/figures.md: of an index, of values of faces, and of quick fields on the worst mesh.
+#: Twice those of docs/figures.md: of an index, also with values of faces, and of quick fields on the worst mesh.
 _INDEX = Errors(4e-4, 2e-2)
 _INDEX_OF_JUMPS = Errors(1.7e-3, 4.6e-2)
 _QUICK = Errors(1e-3, 1e-2)
@@ -60,14 +60,14 @@ def jumps(shape: Shape) -> bool:
 
 
 def can_answer(by: str, shape: Shape) -> bool:
-    """Whether an answerer takes the metric."""
+    """Whether an answerer takes the metric of a surface."""
     if isinstance(shape.metric, vorogeo.FaceRanders):
         return by in ("exact", "automatic", "function")
     return by != "quick" or not jumps(shape)
 
 
 def assert_answers(by: str, shape: Shape, answer: Any, expected: Floats) -> None:
-    """Distances are the expected ones as closely as their answerer promises; infinite and zero where these are."""
+    """Distances are the expected ones as closely as their answerer promises, and infinite or zero where those are."""
     answer, expected = np.asarray(answer, float), np.asarray(expected, float)
     assert answer.shape == expected.shape
     np.testing.assert_array_equal(np.isinf(answer), np.isinf(expected))
@@ -113,7 +113,7 @@ def loaded(file: Any, shape: Shape, **options: Any) -> vorogeo.GeodesicIndex:
 
 
 def object_of(by: str, shape: Shape) -> Any:
-    """The object that answers: a shared one, but for automatic answers, which depend on those before."""
+    """The object that answers: a shared one, except for automatic answers, which depend on earlier questions."""
     if by == "automatic":
         return new_surface(shape)
     return surface(shape) if by in ("exact", "quick") else index(shape)
@@ -152,7 +152,7 @@ def distance(by: str, shape: Shape, source: Points, target: Points) -> Any:
 
 
 def path(by: str, shape: Shape, source: Points, target: Points, **options: Any) -> Any:
-    """The shortest path of two points, or that of each of k pairs; that of an index is refined."""
+    """The shortest path of two points, or of each of k pairs; from an index the refined path."""
     if by == "function":
         return vorogeo.exact_path(*mesh(shape), source, target, metric=shape.metric, **options)
     if by == "by index, exact":

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Of the rule for parts of faces, relative: few arcs leave a part and come back.
+/// Relative error of the rule for parts of faces, as a few arcs leave a part and come back.
 constexpr double of_the_rule = 2e-5;
 
 double area_of(const Mesh& mesh) {
@@ -81,8 +81,8 @@ TEST(BandsContract, AroundAnApexAndOnPagesAnglesCount) {
 }
 
 TEST(BandsContract, BehindASaddleTheBorderIsAnArcAroundTheApex) {
-  // From a point at distance 0.75 of an apex with the angle 3 pi: a half-disc on each side of the line to the
-  // apex, and between their shadows a sector of the angle pi and the radius that is left.
+  // Around a point at distance 0.75 from an apex of angle 3 pi: a half-disc on each side of the line to the
+  // apex, and in the shadow between them a sector of angle pi around the apex, with the remaining radius 1.
   const test::Shape saddle = test::cone(12, 4, 3.0 * pi, 3.0);
   const auto at_one = std::ranges::find_if(saddle.soup.positions, [&](const Point& p) {
     return std::abs(distance_between(p, saddle.soup.positions[0]) - 0.75) < 1e-9;

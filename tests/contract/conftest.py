@@ -1,4 +1,4 @@
-"""The seed of a run: printed at its begin, and with every test that fails; and a random generator for each test."""
+"""The seed of a run: printed at its start and with every test that fails; and a random generator for each test."""
 
 from __future__ import annotations
 

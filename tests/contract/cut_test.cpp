@@ -20,7 +20,7 @@ double area_of(const std::vector<Point>& positions, const std::array<Index, 3>& 
   return 0.5 * length_of(cross(u, v));
 }
 
-/// Of the edges with so many faces: their length in space, by number of faces.
+/// The total length of the edges with 1, 3 or more faces, by number of faces.
 std::map<int, double> lengths_by_faces(const std::vector<Point>& positions,
                                        const std::vector<std::array<Index, 3>>& faces) {
   std::map<std::pair<Index, Index>, int> count;
@@ -46,13 +46,13 @@ Index euler_characteristic(const std::vector<std::array<Index, 3>>& faces) {
          static_cast<Index>(faces.size());
 }
 
-/// The cut mesh is the mesh: each face has its area, borders and edges of many faces their length, and no
-/// hole was torn.
+/// The cut mesh is the same surface: each face keeps its area, borders and edges of many faces keep their
+/// length, and no hole was torn.
 void expect_same_surface(const Mesh& mesh, const CutMesh& cut) {
   const auto positions = positions_of(mesh, cut.points);
   std::vector<double> area(mesh.face_count(), 0.0);
   double whole = 0.0;
-  double farthest = 0.0;  // coordinates are rounded
+  double farthest = 0.0;  // scale of the rounding of coordinates
   for (const Point& p : mesh.positions()) farthest = std::max(farthest, length_of(p));
   ASSERT_EQ(cut.faces.size(), cut.face_of.size());
   ASSERT_EQ(cut.faces.size(), cut.region.size());
@@ -122,7 +122,7 @@ TEST(CutContract, DistancesOfNewPointsAreTheirLevelInAPlane) {
   }
   for (std::size_t f = 0; f < cut.faces.size(); ++f)
     inside += cut.region[f] == 0 ? area_of(positions, cut.faces[f]) : 0.0;
-  // A polygon in the circle; the border of the plane takes a part of both away, as Isolines and bands know.
+  // A polygon inscribed in the circle; the border of the plane cuts a part off both.
   const double disk = ask.band({vertex(30)}, 0.93, By::exact).area;
   EXPECT_LT(inside, disk);
   EXPECT_GT(inside, 0.96 * disk);
@@ -159,7 +159,7 @@ TEST(CutContract, AlongPathsTheSurfaceStays) {
     const auto positions = positions_of(one.ask.mesh(), cut.points);
     double along = 0.0;
     for (const auto& [a, b] : cut.edges) along += distance_between(positions[a], positions[b]);
-    EXPECT_LE(along, length * (1.0 + 1e-9));  // where paths run together, their edges are there once
+    EXPECT_LE(along, length * (1.0 + 1e-9));  // edges that several paths share occur once
     EXPECT_GE(along, length / static_cast<double>(lines.size()) * (1.0 - 1e-9));
     for (const auto& [ends, regions] : regions_beside(cut)) EXPECT_FALSE(regions.empty());
   }

@@ -1,4 +1,4 @@
-// Distances of two points: exact or near it, the same from both ends to the last bit, infinite without a way.
+// Distances of two points: exact or near it, symmetric to the last bit, infinite where no path leads.
 #include <gtest/gtest.h>
 
 #include "contract/surfaces.h"
@@ -64,7 +64,7 @@ TEST(DistanceContract, NeighboursInAFanOfNeedlesAreExactFromAnIndex) {
 }
 
 TEST(DistanceContract, FromTheTipOfALimbBothFormsOfAnIndexErrByLittle) {
-  // The tip is farther from the other end of its patch than any two points of the border of that patch are.
+  // The tip is farther from the other end of its patch than any two points on the patch's border are apart.
   const test::Shape limb = test::plane_grid(120, 8, 12.0, 0.8, 0.2);
   for (const bool small : {false, true}) {
     const Ask ask(limb.soup, {.patches = 3, .patches_in_each = 3, .small = small});

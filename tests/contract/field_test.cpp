@@ -1,4 +1,4 @@
-// Fields: the least sum of a source's offset and the distance from it, at every vertex, and which source.
+// Fields: at every vertex the least sum of a source's offset and the distance from it, and its source.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -106,7 +106,7 @@ TEST(FieldContract, SeveralSourcesGiveTheLeastSumAndItsSource) {
       }
       ASSERT_GE(field.source[v], 0) << where;
       ASSERT_LT(field.source[v], static_cast<Index>(sources.size())) << where;
-      // Which one it is follows from the distances, up to their errors.
+      // The source named is the nearest, up to the errors of the distances.
       expect_close(sum(sources[field.source[v]]), least, 3.0 * one.tolerance(by), one.ask, where);
     }
   });
@@ -159,7 +159,7 @@ TEST(FieldContract, AVertexThatIsASourceHasItsOffset) {
 }
 
 TEST(FieldContract, AGreatOffsetCostsNoMoreThanTheDigitsOfADouble) {
-  // Of ten million, single precision keeps only whole numbers.
+  // Near ten million, single precision holds whole numbers only.
   ask_each(cases_by_length(), [](const Case& one, By by) {
     const SurfacePoint source = one.points()[0];
     const Field field = one.ask.field({{source, 1e7}}, by);
@@ -186,7 +186,7 @@ TEST(FieldContract, AcrossTensOfNeedlesFieldsOfAnIndexErrByLittle) {
 }
 
 TEST(FieldContract, ASourceIsTheSameHoweverItIsNamed) {
-  // The middle of a side in either of its faces, and a corner by its weights.
+  // The middle of a side is named in either of its faces, and a corner by its weights.
   const test::Soup soup = test::hills(14, 0.2);
   const Ask ask(soup, {.patches = 3, .patches_in_each = 3});
   const auto& [a, b, c] = soup.faces[100];

@@ -16,7 +16,7 @@ constexpr Build several_patches{.patches = 3, .patches_in_each = 3};
 
 TEST(GapsContract, TwoPlatesAreOnePlaneOnceTheirGapIsClosed) {
   for (const double gap : {0.0, 1e-9, 1e-4, 0.03}) {
-    for (const int right : {6, 7, 11}) {  // beside 6 cells: the same vertices on both sides, or others
+    for (const int right : {6, 7, 11}) {  // beside 6 cells: vertices match across the gap, or not
       const test::Shape plates = test::two_plates(6, right, gap);
       const Ask ask({plates.soup, {}, gap + 1e-6}, several_patches);
       for (const By by : {By::exact, By::index, By::quick}) {
@@ -96,7 +96,7 @@ TEST(GapsContract, SheetsAboveEachOtherAreJoinedOnlyIfFoldsAreAskedFor) {
   const Ask without({soup, {}, 0.02, false});
   const Ask with({soup, {}, 0.02, true});
   EXPECT_EQ(without.distance(vertex(0), vertex(61), By::exact), unreachable);
-  // To the rim, whose edges are chords of the unit circle, and back.
+  // From one centre to the rim, whose edges are chords of the unit circle, and to the other centre.
   const double radius = std::cos(std::numbers::pi / 60);
   EXPECT_NEAR(with.distance(vertex(0), vertex(61), By::exact), 2.0 * radius + 0.01, 1e-9);
 }

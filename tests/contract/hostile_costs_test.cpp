@@ -1,5 +1,5 @@
 // Never stuck on hostile meshes: each seed here once took a hundred times what a scan of its size takes, or
-// an index or a quick field of it erred by a third.
+// had an index or a quick field that erred by a third.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@
 namespace vorogeo {
 namespace {
 
-/// What a mesh takes: seconds of the processor, and bytes.
+/// What a mesh costs, in processor time and memory.
 enum Cost {
   exact_seconds,
   exact_bytes,
@@ -39,14 +39,14 @@ constexpr std::array<const char*, cost_count> names{
     "seconds of an exact field", "bytes of an exact field", "seconds of a build",    "bytes of an index",
     "seconds of a field",        "seconds of pairs",        "seconds of exact paths"};
 
-/// Times what a scan of the same size or up to some more than twice as large takes; what tables answer there,
-/// as many times an exact field of it.
+/// How many times the cost of a scan of the same size, or up to somewhat more than twice as large, a mesh may
+/// take. Fields, pairs and paths, which tables answer on a scan, are compared with its exact field.
 constexpr Costs most_of_a_scan{10, 10, 10, 10, 5, 10, 10};
-/// A fan of a thousand needles on one edge of a folded sheet, a fan of needles round two vertices with
-/// spikes, and beside such a sheet: many needles see most vertices of the rim, so an exact run keeps a window
-/// for each pair of the two.
+/// The same for a fan of a thousand needles on one edge of a folded sheet, and fans of needles round two
+/// vertices, with spikes or beside such a sheet: many needles see most vertices of the rim, so an exact run
+/// keeps a window for each pair of needle and vertex.
 constexpr Costs most_of_fans{50, 100, 10, 10, 50, 80, 60};
-/// Of the clock, and a handful of pages.
+/// The errors of the clock, and a handful of pages.
 constexpr double clock_seconds = 0.02;
 constexpr double some_bytes = 1 << 20;
 
@@ -61,7 +61,7 @@ double seconds_of(Run&& run) {
 
 Costs costs_of(const test::Soup& soup) {
   const auto mesh = test::make_mesh(soup);
-  // Vertices of faces, all over the mesh.
+  // Vertices that have faces, spread over the mesh.
   auto vertex = [&](Index part) { return mesh->face_vertices(mesh->face_count() / 3 * part)[0]; };
   Costs costs{};
   ExactSolver solver(mesh);
@@ -88,7 +88,7 @@ Costs costs_of(const test::Soup& soup) {
 
 const Costs& scan_costs(std::size_t vertices) {
   static std::map<std::size_t, Costs> known;
-  // A larger one only takes longer.
+  // A larger scan would only make the test slower.
   const std::size_t size = std::min<std::size_t>(std::bit_ceil(vertices), 4096);
   const auto [found, added] = known.try_emplace(size);
   if (added) {
@@ -148,13 +148,13 @@ INSTANTIATE_TEST_SUITE_P(Seeds, CostContract,
                                          Seed{4230000918, 60, "a field without end"}),
                          [](const auto& seed) { return std::to_string(seed.param.seed); });
 
-/// These seeds once erred by 31 % in a field, and by .9 % between two points, at single vertices.
+/// On these seeds, fields once erred by 31 % and pairs by .9 %, at single vertices.
 TEST(IndexContract, FieldsOfAnIndexErrByAPercentAtMostOnSeedsThatErredByAThird) {
   VOROGEO_HEAVY_TEST();
   for (const auto& [seed, size] : {std::pair{1004843U, 2500}, std::pair{1004702U, 60}}) {
     const auto mesh = test::make_mesh(test::hostile_mesh(seed, size).soup);
     test::IndexQuery query(GeodesicIndex::build(mesh, {}), 1);
-    // The same sources each time: a percent is what most sources keep to, not a bound for all.
+    // The same sources each time: errors of most sources stay below a percent, not those of all.
     for (const Index source : test::random_vertices(mesh->vertex_count(), 2, 1)) {
       const std::vector<double> exact = exact_distance_field(mesh, std::array{source});
       const std::vector<double> field = query.distance_field(std::array{source});
@@ -168,8 +168,8 @@ TEST(IndexContract, FieldsOfAnIndexErrByAPercentAtMostOnSeedsThatErredByAThird) 
   }
 }
 
-/// These seeds once were up to 46 % too long, where a window narrower than rounding had been merged, and 16 %
-/// or 1.3 % too short, where a pseudo-source lies next to its edge.
+/// On these seeds, distances once were up to 46 % too long, where a window narrower than rounding was merged,
+/// and 16 % or 1.3 % too short, where a pseudo-source lies next to its edge.
 TEST(QuickContract, FieldsErrByAPercentAtMostOnSeedsThatErredByAHalf) {
   for (const unsigned seed : {4240001518U, 4230000766U, 4220000814U, 4270003514U}) {
     const auto mesh = test::make_mesh(test::hostile_mesh(seed, 60).soup);
@@ -189,8 +189,8 @@ TEST(QuickContract, FieldsErrByAPercentAtMostOnSeedsThatErredByAHalf) {
   }
 }
 
-/// Here fields of an index err by up to 20 %, each by another part, so that at 515 vertices no site is as
-/// near by its own field as by that of all sites.
+/// Here fields of an index err by up to 20 %, each field differently, so that at 515 vertices the field of
+/// each single site gives a longer distance than the field of all sites.
 TEST(IndexContract, RegionsHoldEveryVertexThatASiteReaches) {
   const auto mesh = test::make_mesh(test::hostile_mesh(4200003631U, 60).soup);
   IndexOptions options;

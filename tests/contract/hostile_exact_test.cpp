@@ -27,18 +27,18 @@
 namespace vorogeo {
 namespace {
 
-/// A mesh of hostile_mesh(), and what is asked of it.
+/// A mesh of hostile_mesh(), and where fields and paths on it begin and end.
 struct Seed {
   unsigned seed;
   int size;
   std::vector<Index> sources;
-  std::vector<Index> targets{};  ///< of traced paths, besides some everywhere
+  std::vector<Index> targets{};  ///< of traced paths, besides some all over the mesh
 };
 
 /// For gtest's names.
 void PrintTo(const Seed& seed, std::ostream* out) { *out << seed.seed << ", size " << seed.size; }
 
-/// Relative to the distance, and rounding of the longest edge.
+/// What rounding allows: a part of the distance, and the rounding of the longest edge.
 double slack(const Mesh& mesh, double distance) {
   return 1e-9 * distance + 1e-15 * mesh.longest_edge_length();
 }
@@ -125,15 +125,15 @@ TEST_P(ExactContract, WavesFromEveryVertexInEveryDirectionChangeNoDistance) {
   }
 }
 
-// What each of them needs: parts of very different sizes, where items of the queue come late; windows that
-// tie with others at both ends of their overlap, or that equal ones would cut in two on each edge of a row of
-// needles; vertices in the gap between two windows, beside edges shrunk to next to nothing or on the edge
-// itself; pseudo-sources that rounding takes behind an edge of a few units in the last place; hundreds of
-// faces without width in a row; and vertices in one place with such faces between them, from where paths go
-// on in all directions and traces have to find their way back; flat vertices so close to each other that a
-// path past one ties with the path through it; vertices a hair beside the edge through which they are seen;
-// slivers round which the waves of one thread go ahead of nearer ones that another has for them; and vertices
-// with edges of next to no length beside some that are not, and then long ones.
+// What makes these seeds hard: parts of very different sizes, where items of the queue come
+// late; windows that tie with others at both ends of their overlap, or that equal ones would cut in two on
+// each edge of a row of needles; vertices in the gap between two windows, beside edges shrunk to next to
+// nothing or on the edge itself; pseudo-sources that rounding moves behind an edge of a few units in the last
+// place; hundreds of faces without width in a row; vertices at one place with such faces between them, from
+// where paths go on in all directions and traces have to find back; flat vertices so close to each other that
+// a path past one ties with the path through it; vertices a hair beside the edge through which they are seen;
+// slivers round which the waves of one thread run ahead of nearer waves of another thread; and vertices with
+// edges of next to no length beside some of usual length, and then long ones.
 INSTANTIATE_TEST_SUITE_P(
     Seeds, ExactContract,
     testing::Values(Seed{600160, 4000, {1948, 3549}}, Seed{1011595, 2500, {364}},
@@ -185,7 +185,7 @@ TEST(ExactFieldContract, FacesDividedInFourHaveTheSameDistances) {
     const auto whole = test::make_mesh(soup);
     const std::vector<double> expected = exact_distance_field(whole, sources);
     const std::vector<double> field = exact_distance_field(test::make_mesh(test::in_four(soup)), sources);
-    // Middles of edges are rounded as their coordinates are.
+    // Midpoints of edges are rounded by units in the last place of their coordinates.
     double farthest = 0.0;
     for (const Point& p : soup.positions) {
       for (const double x : p) farthest = std::max(farthest, std::abs(x));
@@ -237,20 +237,20 @@ TEST(ExactFieldContract, VerticesInAnyOrderHaveTheSameDistances) {
     }
     return expected;
   };
-  // A source on top of a vertex: its rays that pass beside that one hardly leave the long edges there.
+  // A source at the place of another vertex: rays that pass beside that vertex hardly leave its long edges.
   const test::Soup on_top = test::hostile_mesh(4000001412, 60).soup;
   const double tight = test::SubdividedGraph(on_top, 91, 3).tightened(16);
   EXPECT_NEAR(field_in_any_order(on_top, 91)[16], tight, 1e-9 * tight);
-  // Two vertices at one place, 5e-12 of an edge beside a third that lies on an edge of a flat face: their
-  // rays to one side of it are not all that pass there. The line is straight.
+  // Two vertices at one place, 5e-12 of an edge beside a third, which lies on an edge of a flat face: rays of
+  // the two on one side of the third are not all that pass there. The path is the straight line.
   const test::Soup beside = test::hostile_mesh(4290001895, 12).soup;
   const double straight = distance_between(beside.positions[82], beside.positions[23]);
   EXPECT_NEAR(field_in_any_order(beside, 82)[23], straight, 1e-9 * straight);
 }
 
 TEST(ExactFieldContract, AFanOfNeedlesThatIsCutAndJoinedIsNotCrossedAgainAndAgain) {
-  // 605 vertices, and the same with faces divided in four. 36 faces share an edge, and waves that come round
-  // over these are as many as there are ways round, unless what passes straight on comes first.
+  // 605 vertices, and the same with faces divided in four. 36 faces share an edge, and as many waves come
+  // round over these as there are paths round, unless the waves that pass straight on come first.
   const test::Soup soup = test::hostile_mesh(3821607977, 200).soup;
   for (const test::Soup& fan : {soup, test::in_four(soup)}) {
     ExactSolver solver(test::make_mesh(fan));
@@ -260,14 +260,14 @@ TEST(ExactFieldContract, AFanOfNeedlesThatIsCutAndJoinedIsNotCrossedAgainAndAgai
 }
 
 TEST(ExactFieldContract, AGearOfContractedEdgesIsNotCrossedAgainAndAgain) {
-  // 15,645 faces with sides of next to no length: a handful of windows for each.
+  // 15,645 faces with sides of next to no length: a handful of windows for each face.
   ExactSolver solver(test::make_mesh(test::hostile_mesh(2914000100, 2500).soup));
   solver.run_from_vertices(std::array{Index{1109}}, {.distances_only = true});
   EXPECT_LE(solver.window_count(), 200'000U);
 }
 
 TEST(ExactFieldContract, ACylinderOfStripsThatPlanesCutIsSeenAsOne) {
-  // 70,715 edges, and flat vertices where six planes cross the strips: each would part all that passes it.
+  // 70,715 edges, and flat vertices where six planes cross the strips: each would split windows that pass.
   ExactSolver solver(test::make_mesh(test::hostile_mesh(4207840011, 4000).soup));
   for (const Index source : {2301, 9582, 16976}) {
     solver.run_from_vertices(std::array{source}, {.distances_only = true});
@@ -276,8 +276,8 @@ TEST(ExactFieldContract, ACylinderOfStripsThatPlanesCutIsSeenAsOne) {
 }
 
 TEST(ExactFieldContract, ATubeThatRoundedLengthsTwistIsNotFollowedRoundByRound) {
-  // Four vertices at one place lead to an outlier. Scaled by a cost, their edges are rounded so that a path
-  // round them is shorter by a unit in the last place, however often it goes round.
+  // Edges from four vertices at one place lead to an outlier. Scaled by a cost, they are rounded so that a
+  // path becomes shorter by a unit in the last place each time it goes round them.
   const test::Soup soup = test::hostile_mesh(3910001225, 60).soup;
   const std::vector<double> costs(soup.positions.size(), 2.9983757640235549);
   ExactSolver solver(std::make_shared<const Mesh>(soup.positions, soup.faces,
@@ -287,8 +287,8 @@ TEST(ExactFieldContract, ATubeThatRoundedLengthsTwistIsNotFollowedRoundByRound) 
 }
 
 TEST(ExactFieldContract, TubesNarrowerThanRoundingAreNotFollowedToTheirEnds) {
-  // Tubes up to 1e16 times as long as wide. Rays wind round them, each time nearer by more than rounding than
-  // what has passed a vertex there.
+  // Tubes up to 1e16 times as long as wide. Rays wind round them, and after each round are nearer, by more
+  // than rounding, than what has passed a vertex there.
   for (const unsigned seed : {4200003436U, 4230003311U, 4230000596U}) {
     const auto mesh = test::make_mesh(test::hostile_mesh(seed, 60).soup);
     ExactSolver solver(mesh);
@@ -299,7 +299,7 @@ TEST(ExactFieldContract, TubesNarrowerThanRoundingAreNotFollowedToTheirEnds) {
       weights[(h + 1) % 3] = 0.013;
       solver.run(std::array{ExactSource{SurfacePoint::in_face(Mesh::face_of(h), weights)}}, {});
       EXPECT_LE(solver.window_count(), 100'000U) << seed << ", edge " << edge;
-      // Nothing is nearer than by air, or farther than along an edge.
+      // No distance is shorter than the straight line, or differs from its neighbour's by more than the edge.
       const Point from = position_of(*mesh, SurfacePoint::in_face(Mesh::face_of(h), weights));
       const double rounding = 1e-15 * mesh->longest_edge_length();
       for (Index other = 0; other < mesh->edge_count(); ++other) {
@@ -315,7 +315,7 @@ TEST(ExactFieldContract, TubesNarrowerThanRoundingAreNotFollowedToTheirEnds) {
 }
 
 TEST(ExactFieldContract, RaysThatALongEdgeHasMovedByItsRoundingAreNotNearer) {
-  // Rays turn about a cluster of vertices, over edges of 3e-10 and of .5, a little farther each time.
+  // Rays circle round a cluster of vertices, over edges of 3e-10 and of .5, a little farther out each time.
   const test::Soup soup = test::hostile_mesh(4290005248, 60).soup;
   const std::vector<Tensor> stretch(soup.positions.size(), Tensor{0.5, 0, 0, 0, 1, 0, 0, 0, 0.5});
   const auto mesh = std::make_shared<const Mesh>(soup.positions, soup.faces,
@@ -330,13 +330,13 @@ TEST(ExactFieldContract, RaysThatALongEdgeHasMovedByItsRoundingAreNotNearer) {
       exact_distance_field(std::make_shared<const Mesh>(stretched, soup.faces), std::array{source});
   for (Index v = 0; v < mesh->vertex_count(); ++v) {
     if (field[v] == unreachable) continue;
-    // Three lengths tell less about a needle than positions do.
+    // Three lengths determine a needle less well than positions do.
     EXPECT_NEAR(solver.distance(v), field[v], 1e-9 * field[v] + 1e-12 * mesh->longest_edge_length()) << v;
   }
 }
 
 TEST(ExactFieldContract, ThousandsOfSourcesInOneFaceKeepAllTheirDigits) {
-  // Each of them comes to the sides of its face on its own, which are taken no more often for that.
+  // Windows of each source reach the sides of the face one by one; the sides must not be taken more often.
   const auto mesh = test::make_mesh(test::plane_grid(8, 8, 8, 8).soup);
   std::vector<ExactSource> sources;
   std::vector<Point> places;
@@ -355,7 +355,7 @@ TEST(ExactFieldContract, ThousandsOfSourcesInOneFaceKeepAllTheirDigits) {
 }
 
 TEST(ExactFieldContract, OneLongEdgeKeepsNoOtherEdgeOpen) {
-  // Cells without data in an elevation grid: spikes of many thousand cells.
+  // Cells without data in an elevation grid: spikes many thousand cells long.
   constexpr int cells = 120;
   auto bytes_of = [](bool has_spikes) {
     test::Soup soup = test::plane_grid(cells, cells, cells, cells).soup;
@@ -401,7 +401,7 @@ TEST(PathContract, RefinedPathsAcrossNeedlesAreShortestToTwoThousandths) {
 }
 
 TEST(IndexContract, FieldsEndWhereAnotherVertexLiesAtTheSource) {
-  // Rays that turn about that vertex have distances as small as the rounding of positions.
+  // Rays that circle round that vertex have distances as small as the rounding of positions.
   const auto mesh = test::make_mesh(test::hostile_mesh(50002231, 60).soup);
   IndexOptions options;
   options.first_layer_patches = 2;
@@ -422,9 +422,9 @@ TEST(IndexContract, BuildsEndOnExtrusionsFansAndSpikesWithRoundedCoordinates) {
     unsigned seed;
     int size;
     double delta = 0.0;
-    Index patches = 0;  ///< in each layer; 0: chosen
+    Index patches = 0;  ///< in each layer; 0: automatic
   };
-  // As chosen by default: hostile_costs_test.cpp.
+  // Builds with default options are tested in hostile_costs_test.cpp.
   for (const Case& one :
        {Case{703485, 2500, 0.01}, Case{370004788, 60, 0.0, 2}, Case{4000030420, 60, 0.01, 2}}) {
     const auto mesh = test::make_mesh(test::hostile_mesh(one.seed, one.size).soup);

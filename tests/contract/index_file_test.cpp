@@ -1,4 +1,4 @@
-// Index files: what is loaded answers to the last bit like what was saved; any other file is refused.
+// Index files: a loaded index answers like the saved one, to the last bit; any other file is refused.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -138,7 +138,7 @@ TEST(IndexFileContract, ADamagedFileIsRefusedOrAnswersTheSame) {
     const std::size_t at = random() % bytes.size();
     damaged[at] = static_cast<char>(damaged[at] ^ (1 << random() % 8));
     test::write_bytes(folder / "damaged.vgi", damaged);
-    // Between blocks, some bytes mean nothing.
+    // Damage in some bytes between blocks has no effect.
     if (loading(folder / "damaged.vgi", input).empty()) {
       expect_same_answers(built, Ask::loaded(folder / "damaged.vgi", input), "byte " + std::to_string(at));
     }

@@ -1,4 +1,4 @@
-"""The surfaces of the table on which paths cost something else than their length, with formulas again."""
+"""The surfaces of the table on which paths cost something else than their length, also with formulas."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def stretched(a: Floats, b: Floats) -> Floats:
 
 
 def edge_lengths(base: Shape) -> Shape:
-    """A shape by the lengths of its sides."""
+    """A shape given by the lengths of its edges."""
     corner = base.vertices[base.faces]
     sides = np.linalg.norm(corner[:, [2, 0, 1]] - corner[:, [1, 2, 0]], axis=2)
     return replace(base, name=f"{base.name} by edge lengths", metric=vorogeo.EdgeLengths(sides))
@@ -58,13 +58,13 @@ def refraction(dear: float = 3.0) -> Shape:
         across = np.abs(b[None, :, 0] - a[:, None, 0])
         deep, depth = np.maximum(0.5 - a[:, None, 1], 0), np.maximum(0.5 - b[None, :, 1], 0)
         high, height = np.maximum(a[:, None, 1] - 0.5, 0), np.maximum(b[None, :, 1] - 0.5, 0)
-        # One side of the shore: straight, or from water along the shore at the angle whose sine is 1 / dear.
+        # Ends on one side: straight, or from water along the shore, reached at the angle whose sine is 1 / dear.
         line = np.hypot(across, b[None, :, 1] - a[:, None, 1])
         slant = np.sqrt(1 - 1 / dear**2)
         along = across - (deep + depth) / (dear * slant)
         shore = np.where(along >= 0, dear * (deep + depth) / slant + along, np.inf)
         same_water, same_land = np.minimum(dear * line, shore), line
-        # Both sides: bisection for the crossing at which the sines have the ratio of the costs.
+        # Ends on both sides: bisection for the crossing at which the sines have the ratio of the costs.
         down, up = deep + depth, high + height
         low, top = np.zeros_like(across), across.copy()
         for _ in range(60):
@@ -92,7 +92,7 @@ def drifting(base: Shape, drift: Floats) -> Shape:
 
 
 def metrics(random: Rng, saddle: Shape) -> list[Shape]:
-    """Every shape with a metric of its own; small ones, since an index of values of faces takes its time."""
+    """Shapes with metrics of their own; small ones, since building an index with values of faces takes long."""
     flat, tube = surfaces.plane(random, 11, 8), surfaces.prism(8)
     everywhere = np.broadcast_to(TENSOR, (len(flat.vertices), 3, 3))
     on_faces = np.broadcast_to(TENSOR, (len(flat.faces), 3, 3))

@@ -1,4 +1,4 @@
-// Metrics: what costs, tensors and lengths make of distances, where a formula or another mesh says it.
+// Metrics: distances by costs, tensors and lengths, against formulas and fields of other meshes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 using Matrix = std::array<std::array<double, 3>, 3>;
 
-/// The tensor in which a step v is as long as the matrix times v.
+/// The tensor in which the length of a step v is that of the matrix times v.
 Tensor tensor_of(const Matrix& m) {
   Tensor tensor{};
   for (int i = 0; i < 3; ++i) {
@@ -33,7 +33,7 @@ test::Soup stretched(test::Soup soup, const Matrix& m) {
   return soup;
 }
 
-/// Fields of `ask` from some points against those of a known surface with the same faces.
+/// Compares fields of `ask` from some points with those of a known surface with the same faces.
 void expect_fields_of(const KnownSurface& other, const Ask& ask, By by, double tolerance) {
   SCOPED_TRACE(other.name + ", " + to_string(by));
   for (const SurfacePoint& source : test::spread_points(other.soup)) {
@@ -47,7 +47,7 @@ TEST(MetricsContract, ATensorIsTheStretchedMesh) {
   const unsigned seed = fresh_seed();
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937 random(seed);
-  // No direction is stretched more than three times as much as another: errors grow with that.
+  // No direction is stretched more than three times as much as another, as errors grow with this ratio.
   std::uniform_real_distribution<double> entry(-0.25, 0.25);
   Matrix shear{};
   for (auto& row : shear) {
@@ -111,7 +111,7 @@ TEST(MetricsContract, AcrossLongStripsOfDifferentCostsTheStraightLineCostsTheirS
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> between(1.0, 4.0);
-  // Only the first and the last side have a vertex half-way: between them, none is near the line.
+  // Only the first and the last edge have a vertex half-way up: no vertex between them is near the line.
   for (const auto& [height, greatest_error] : {std::pair{3.0, 0.02}, {30.0, 0.1}, {300.0, 0.3}}) {
     constexpr Index strips = 12;
     test::Soup soup;
@@ -197,7 +197,7 @@ TEST(MetricsContract, DistancesLieBetweenTheLeastAndTheGreatestCostTimesTheLengt
 }
 
 TEST(MetricsContract, AStrongChangeOfCostStillNumbersThePointsOfTheInput) {
-  // Along the row of cheap vertices, and with faces that are split, as their dear sides cost too much.
+  // The path runs along the row of cheap vertices; faces beside it are split, as other sides cost too much.
   const test::Soup soup = test::plane_grid(10, 10, 1.0, 1.0).soup;
   std::vector<double> cost;
   for (const Point& p : soup.positions) cost.push_back(std::abs(p[1] - 0.5) < 1e-9 ? 1.0 : 50.0);

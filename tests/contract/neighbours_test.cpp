@@ -1,4 +1,4 @@
-// Neighbours: all pairs within a radius, and the nearest of a set, as the sorted distances say.
+// Neighbours: all pairs within a radius and the nearest of a set are what sorted distances give.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace vorogeo::contract {
 namespace {
 
-/// Where an answer with the errors of an index may fall on either side of the radius.
+/// Whether an answer with the errors of an index may fall on either side of the radius.
 bool is_doubtful(double distance, double radius, double tolerance) {
   return std::abs(distance - radius) <= tolerance * radius;
 }

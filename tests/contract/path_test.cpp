@@ -1,5 +1,4 @@
-// Paths: between the points asked for, on the surface, as long as their steps, and shortest where that is
-// said.
+// Paths: between the points asked for, on the surface, as long as their steps, and shortest if said to be.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -11,7 +10,7 @@
 namespace vorogeo::contract {
 namespace {
 
-/// How many times the length of a shortest path a refined one may have. Most have that length.
+/// How many times as long as the shortest path a refined one may be. Most are as long.
 constexpr double longest_detour = 1.05;
 
 TEST(PathContract, PathsJoinThePointsOverSharedFacesAndTheirStepsSumToTheLength) {

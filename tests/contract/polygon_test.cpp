@@ -1,5 +1,5 @@
-// Polygons of shortest paths and convex hulls: area, perimeter and angles by formulas, and by Gauss-Bonnet
-// what they enclose.
+// Polygons of shortest paths and convex hulls: area, perimeter and angles against formulas, and the curvature
+// that they enclose by Gauss-Bonnet.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -63,7 +63,7 @@ TEST(PolygonContract, AroundAHoleThatItsBorderTouchesNothingIsLost) {
     });
   });
   const Ask ask(soup);
-  // A corner of the hole is one of the polygon, or lies on a leg.
+  // A corner of the hole is a corner of the polygon, or lies on a leg.
   for (const Point& touching : {Point{4, 6, 0}, Point{2, 8, 0}}) {
     const GeodesicPolygon found = ask.polygon(
         places_on(soup, {{2, 2, 0}, {10, 2, 0}, {8, 2 + 6 * touching[0] / 4, 0}, touching}), By::exact);
@@ -86,7 +86,7 @@ TEST(PolygonContract, AroundACornerOfABoxAngleSumsHaveAQuarterTurnMore) {
 TEST(PolygonContract, AroundAnApexAnglesSumToItsDefectMore) {
   for (const double total : {1.4 * pi, 1.9 * pi, 2.3 * pi}) {
     const Ask ask(test::cone(12, 4, total, 2.0).soup);
-    std::vector<Index> ring;  // the outermost but one, from every third sector
+    std::vector<Index> ring;  // of the outermost ring but one, every third vertex
     for (const Index sector : {0, 3, 6, 9}) ring.push_back(1 + 2 * 12 + sector);
     const GeodesicPolygon found = ask.polygon(vertices(ring), By::exact);
     EXPECT_NEAR(sum_of(found.angles), 2.0 * pi + (2.0 * pi - total), 1e-9) << total;
@@ -97,7 +97,7 @@ TEST(PolygonContract, AroundAnApexAnglesSumToItsDefectMore) {
 }
 
 TEST(PolygonContract, LegsThatRunTogetherToASaddleEncloseNothingThere) {
-  // Sectors of 2 pi / 3 and more apart: every leg passes the apex.
+  // The points lie more than pi apart around the apex: every leg passes through it.
   const Ask ask(test::cone(12, 3, 3.6 * pi, 2.0).soup);
   const std::vector<SurfacePoint> points = vertices({1 + 12, 1 + 12 + 4, 1 + 12 + 8});
   const std::string sentence = refusal([&] { ask.polygon(points, By::exact); });
@@ -173,7 +173,7 @@ TEST(HullContract, AroundACornerOfABoxItHasAQuarterTurnMore) {
 }
 
 TEST(HullContract, AroundAnApexAllPointsOfARingAreCorners) {
-  // In the second and third, points behind the apex lie in one direction.
+  // On the second and third cone, points behind the apex are seen in one direction.
   for (const double total : {1.4 * pi, 2.3 * pi, 3.1 * pi}) {
     const Ask ask(test::cone(12, 4, total, 2.0).soup);
     std::vector<Index> points{0};
@@ -190,7 +190,7 @@ TEST(HullContract, AroundAnApexAllPointsOfARingAreCorners) {
 }
 
 TEST(HullContract, ItTurnsAtASaddleWhereItsPathsDo) {
-  // Of sectors a quarter turn wide: from the first of four corners, the last two are behind the apex.
+  // Sectors are a quarter turn wide: seen from the first of four corners, the last two are behind the apex.
   const Ask ask(test::cone(12, 4, 6.0 * pi, 2.0).soup);
   const Index ring = 1 + 2 * 12;
   const GeodesicPolygon hull =

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-/// A question, and what the sentence has to name.
+/// A question, and the words that the sentence of its refusal must contain.
 struct Refused {
   std::string name;
   std::function<void()> question;

@@ -1,4 +1,4 @@
-// Voronoi regions: every vertex belongs to its nearest site, the areas tile the surface, borders are between.
+// Voronoi regions: every vertex belongs to its nearest site, areas tile the surface, borders lie between.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -40,7 +40,7 @@ TEST(RegionsContract, EveryVertexBelongsToItsNearestSite) {
 
 TEST(RegionsContract, RegionsTileTheSurfaceThatCanBeReached) {
   for (const Case& one : cases_in_turn()) {
-    // Not the last one, which may be in no face.
+    // The first three points: the last may be an isolated vertex.
     auto sites = one.points();
     sites.erase(sites.begin() + 3);
     const test::Soup& soup = one.ask.soup();
@@ -61,7 +61,7 @@ TEST(RegionsContract, RegionsTileTheSurfaceThatCanBeReached) {
 }
 
 TEST(RegionsContract, TwoSitesHalveAPlaneAlongTheLineBetweenThem) {
-  // Sites at equal distances from x = 1: the border is that line.
+  // Both sites are equally far from the line x = 1, which is the border.
   const test::Shape plane = test::plane_grid(8, 7, 2.0, 1.0);
   const Ask ask(plane.soup);
   const std::vector<SurfacePoint> sites{vertex(9 * 3 + 2), vertex(9 * 3 + 6)};

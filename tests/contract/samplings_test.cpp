@@ -15,7 +15,7 @@ double from_nearest(const Case& one, const std::vector<SurfacePoint>& samples, s
   return least;
 }
 
-/// The greatest of these over the vertices that faces hold.
+/// The greatest such distance over the vertices that have faces.
 double covering_radius(const Case& one, const std::vector<SurfacePoint>& samples, std::size_t count) {
   double greatest = 0.0;
   for (Index v = 0; v < one.ask.vertex_count(); ++v) {

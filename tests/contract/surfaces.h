@@ -20,12 +20,12 @@
 
 namespace vorogeo::contract {
 
-/// A surface and the distance of any two of its points; the distance does not depend on any solver.
+/// A surface and the distance of any two of its points, from a formula, not from a solver.
 struct KnownSurface {
   std::string name;
   test::Soup soup;
   std::function<double(const SurfacePoint&, const SurfacePoint&)> distance;
-  bool has_needles = false;  ///< faces so thin that what errs by the size of faces is of no use
+  bool has_needles = false;  ///< so thin that answers with errors of the size of a face are useless
 
   double distance_of(Index a, Index b) const {
     return distance(SurfacePoint::at_vertex(a), SurfacePoint::at_vertex(b));
@@ -42,14 +42,14 @@ inline std::vector<SurfacePoint> vertices(const std::vector<Index>& numbers) {
   for (const Index v : numbers) points.push_back(vertex(v));
   return points;
 }
-/// All of them.
+/// All vertices.
 inline std::vector<SurfacePoint> vertices_of(const Ask& ask) {
   std::vector<SurfacePoint> points;
   for (Index v = 0; v < ask.vertex_count(); ++v) points.push_back(vertex(v));
   return points;
 }
 
-/// Whether any face holds the point: a vertex may be in none.
+/// Whether the point is in a face, that is, no isolated vertex.
 inline bool is_in_a_face(const test::Soup& soup, const SurfacePoint& point) {
   return !point.is_vertex() || std::ranges::any_of(soup.faces, [&](const std::array<Index, 3>& face) {
     return std::ranges::find(face, point.vertex) != face.end();
@@ -66,7 +66,7 @@ inline Point position(const test::Soup& soup, const SurfacePoint& point) {
   return sum;
 }
 
-/// A convex piece of a plane, however it is cut into faces: distances are straight lines.
+/// A convex piece of a plane, however it is divided into faces: shortest paths are straight lines.
 inline KnownSurface flat(const std::string& name, const test::Soup& soup, bool has_needles = false) {
   auto straight = [soup](const SurfacePoint& a, const SurfacePoint& b) {
     return distance_between(position(soup, a), position(soup, b));
@@ -83,7 +83,7 @@ inline KnownSurface plane_of_bad_faces() {
   return flat("plane of bad faces", test::with_flipped_faces(soup, 3));
 }
 
-/// A plane some of whose vertices lie at the place of their neighbour: edges of length zero.
+/// A plane in which some vertices lie at the place of a neighbour: edges of length zero.
 inline KnownSurface plane_with_collapsed_edges() {
   test::Soup soup = test::plane_grid(9, 8, 3.0, 2.0).soup;
   for (const Index v : {22, 45, 67}) soup.positions[v] = Point(soup.positions[v + 1]);
@@ -106,7 +106,7 @@ inline KnownSurface plane_with_hole() {
     return is_inside(middle);
   });
   auto is_open = [=](const Point& p, const Point& q) {
-    double begin = 0.0;  // the part of the segment that lies in the hole
+    double begin = 0.0;  // of the part of the segment that lies in the hole
     double end = 1.0;
     for (int k = 0; k < 2; ++k) {
       const double step = q[k] - p[k];
@@ -124,7 +124,7 @@ inline KnownSurface plane_with_hole() {
     const Point from = position(soup, a);
     const Point to = position(soup, b);
     if (is_inside(from) || is_inside(to)) return a.vertex == b.vertex ? 0.0 : unreachable;
-    // The shortest chain of lines that see each other, bending at corners of the hole.
+    // The shortest chain of free line segments over corners of the hole (Bellman-Ford).
     const std::array nodes{from, to, low, high, Point{low[0], high[1], 0.0}, Point{high[0], low[1], 0.0}};
     std::array<double, 6> shortest{0.0, unreachable, unreachable, unreachable, unreachable, unreachable};
     for (std::size_t round = 0; round < nodes.size(); ++round) {
@@ -140,7 +140,7 @@ inline KnownSurface plane_with_hole() {
   return {"plane with a hole", soup, distance, false};
 }
 
-/// A plane, a box and a vertex in no face. No path leads from one to another.
+/// A plane, a box and an isolated vertex. No path leads from one to another.
 inline KnownSurface several_components() {
   const test::Shape plane = test::plane_grid(7, 5, 3.0, 2.0, 0.2, 2);
   test::Shape box = test::box({1.0, 1.5, 2.0}, 3);
@@ -213,14 +213,14 @@ struct Case {
     return scale * surface->distance(a, b);
   }
   std::vector<SurfacePoint> points() const { return test::spread_points(surface->soup); }
-  /// Of the distance of two points, relative to it. Where these are not vertices, an index goes by the
-  /// corners of their faces, which are large here.
+  /// Relative error allowed to the distance of two points. From points that are not vertices, an index uses
+  /// the corners of their faces, which are large here.
   double tolerance(By by, const SurfacePoint& a, const SurfacePoint& b) const {
     return by == By::index && !(a.is_vertex() && b.is_vertex()) ? 0.06 : tolerance(by);
   }
-  /// The same of a vertex in a field.
+  /// The same for a vertex in a field.
   double tolerance(By by) const { return by == By::quick ? 0.01 : by == By::index ? 0.03 : 1e-11; }
-  /// Of the mean error of many.
+  /// The same for the mean of many distances.
   double mean_tolerance(By by) const { return by == By::quick ? 1e-3 : by == By::index ? 2e-3 : 1e-11; }
 };
 
@@ -242,7 +242,7 @@ inline const std::vector<Case>& cases() {
       add("edge lengths", scale, EdgeLengths{sides_of(soup, scale)});
       add("cost of vertices", scale, VertexCost{std::vector<double>(soup.positions.size(), scale)});
       add("tensors of vertices", scale, VertexTensor{std::vector<Tensor>(soup.positions.size(), tensor)});
-      // In these two the same happens: one for each surface.
+      // These two take the same code: one of them for each surface.
       if (result.size() % 2 == 0) {
         add("cost of faces", scale, FaceCost{std::vector<double>(soup.faces.size(), scale)});
       } else {
@@ -276,7 +276,7 @@ inline Cases cases_in_turn() {
   return result;
 }
 
-/// `actual` is `expected` to `tolerance`; small distances are measured against the longest edge.
+/// `actual` is `expected` up to a relative `tolerance`; for small distances, relative to the longest edge.
 inline void expect_close(double actual, double expected, double tolerance, const Ask& ask,
                          const std::string& where) {
   if (expected == unreachable || actual == unreachable) {
@@ -286,7 +286,7 @@ inline void expect_close(double actual, double expected, double tolerance, const
   EXPECT_NEAR(actual, expected, tolerance * std::max(expected, 0.01 * ask.longest_edge())) << where;
 }
 
-/// Asks each of the cases in each of these ways in which it is answered, its error bounded.
+/// Asks a question of each case in each way of answering.
 template <class Range, class Question>
 void ask_each(const Range& cases, Question&& question,
               std::initializer_list<By> ways = {By::exact, By::index}) {
@@ -298,7 +298,7 @@ void ask_each(const Range& cases, Question&& question,
   }
 }
 
-/// The values of all vertices are `expected` of each to `tolerance`.
+/// The value of each vertex is `expected` of it up to `tolerance`.
 template <class Expected>
 void expect_all_close(const std::vector<double>& values, Expected&& expected, double tolerance,
                       const Ask& ask) {
@@ -307,7 +307,7 @@ void expect_all_close(const std::vector<double>& values, Expected&& expected, do
   }
 }
 
-/// Every two of the points, once, with a text that says which.
+/// Calls `question` once for every two of the points, with a text that names them.
 template <class Question>
 void for_each_pair(const std::vector<SurfacePoint>& points, Question&& question) {
   for (std::size_t i = 0; i < points.size(); ++i) {

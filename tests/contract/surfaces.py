@@ -1,4 +1,4 @@
-"""Small surfaces on which every distance has a formula, in every metric: the table that the contract is asked on."""
+"""Small surfaces on which every distance has a formula, in every metric: the contract is tested on this table."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class Shape:
         return self.between(self.charted(sources), self.chart)
 
     def matrix(self, points: Ids, others: Ids) -> Floats:
-        """The distances of vertices from others."""
+        """The distances from vertices to other vertices, a row for each of the former."""
         return self.between(self.chart[points], self.chart[others])
 
     def charted(self, points: vorogeo.SurfacePoints | Ids | list[int]) -> Floats:
@@ -69,7 +69,7 @@ def plain_grid(columns: int, rows: int, width: float, height: float) -> Mesh:
 
 
 def shape(name: str, mesh: Mesh, between: Callable[[Floats, Floats], Floats], **more: object) -> Shape:
-    """A shape whose chart are its positions and whose sources lie all over it, unless told otherwise."""
+    """A shape whose chart is its positions and whose sources lie all over it, unless `more` says otherwise."""
     count = len(mesh[0])
     spread = np.linspace(1, count - 2, 5).astype(np.int32)
     return Shape(**{"name": name, "vertices": mesh[0], "faces": mesh[1], "between": between, "chart": mesh[0],
@@ -77,7 +77,7 @@ def shape(name: str, mesh: Mesh, between: Callable[[Floats, Floats], Floats], **
 
 
 def steps(a: Floats, b: Floats) -> Floats:
-    """The differences of each row from each other one."""
+    """The steps from each row of `a` to each row of `b`."""
     return b[None] - a[:, None]
 
 
@@ -87,7 +87,7 @@ def straight(a: Floats, b: Floats) -> Floats:
 
 
 def shaken_plane(random: Rng, columns: int, rows: int) -> Mesh:
-    """A rectangle of 2 by 1.5 whose inner vertices lie anywhere near their places."""
+    """A rectangle of 2 by 1.5 whose inner vertices are moved at random, by up to a fifth of a cell."""
     vertices, faces = plain_grid(columns, rows, 2.0, 1.5)
     inner = (vertices[:, 0] % 2.0 > 0) & (vertices[:, 1] % 1.5 > 0)
     cell = np.array([2.0 / (columns - 1), 1.5 / (rows - 1)])
@@ -166,7 +166,7 @@ def cone(name: str, tilt: Floats) -> Shape:
 
 
 def parts() -> Shape:
-    """Two squares with vertices at the same places along their border, not joined, and a vertex without a face."""
+    """Two squares that touch but are not joined, with vertices at the same places, and an isolated vertex."""
     square, faces = plain_grid(13, 13, 1.0, 1.0)
     vertices = np.vstack([square, square + np.array([1.0, 0, 0]), [[0.5, 0.5, 0]]])
     part = np.repeat([0.0, 1.0, 2.0], [len(square), len(square), 1])

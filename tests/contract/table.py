@@ -1,4 +1,4 @@
-"""The surfaces of one run, made from its seed, and the rows of answerers and surfaces that tests are asked on."""
+"""The surfaces of one run, made from its seed, and the pairs of answerer and surface that tests run on."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def peer_field(bumpy: Shape, source: int) -> Floats:
 
 
 def bumpy(random: Rng) -> Shape:
-    """A wavy rectangle with vertices anywhere near their places, which only another program can answer on."""
+    """A wavy rectangle with shaken vertices, without a formula: another program gives its distances."""
     vertices, faces = surfaces.shaken_plane(random, 23, 17)
     a, b, c, d = random.uniform(2.0, 6.0, 4)
     x, y, _ = vertices.T
@@ -59,7 +59,7 @@ LENGTHS = [
 ]
 METRICS = metric_surfaces.metrics(_random, next(shape for shape in LENGTHS if shape.name == "saddle"))
 SHAPES = [*LENGTHS, *METRICS]
-#: Surfaces on which a way back costs something else: an exact answer is all that they have, and tasks refuse them.
+#: Surfaces on which a way back costs something else: they have exact answers only, and some tasks refuse them.
 DRIFTS = [
     metric_surfaces.drifting(shape, np.array([0.3, -0.4, 0.2]))
     for shape in SHAPES
@@ -75,7 +75,7 @@ def named(name: str) -> Shape:
 
 
 def asked(ways: Iterable[str], shapes: Iterable[Shape]) -> pytest.MarkDecorator:
-    """Asks a test of each answerer on each surface on which it answers."""
+    """Runs a test with each answerer on each surface on which it answers."""
     rows = [(by, shape) for shape in shapes for by in ways if ask.can_answer(by, shape)]
     return pytest.mark.parametrize(("by", "shape"), rows, ids=[f"{by}: {shape}" for by, shape in rows])
 
@@ -89,7 +89,7 @@ def points_anywhere(shape: Shape, random: Rng, count: int) -> vorogeo.SurfacePoi
 
 
 def is_face(shape: Shape) -> Any:
-    """Which faces belong to the surface: neither repetitions nor such as name a vertex twice."""
+    """Which faces belong to the surface: not those that repeat an earlier face or name a vertex twice."""
     corners = np.sort(shape.faces, axis=1)
     first = np.zeros(len(corners), bool)
     first[np.unique(corners, axis=0, return_index=True)[1]] = True

@@ -15,7 +15,7 @@ from test_cut import areas
 
 
 def border_of(shape: Shape, mask: Any) -> float:
-    """The length of the edges of which one face is in the mask."""
+    """The length of the edges with exactly one face in the mask."""
     corners = shape.faces[mask & table.is_face(shape)]
     edges = np.sort(np.vstack([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]]), axis=1)
     edges, count = np.unique(edges, axis=0, return_counts=True)
@@ -97,7 +97,7 @@ def crossing() -> Floats:
 def test_what_a_curve_passes_forth_and_back_encloses_nothing(random: Rng) -> None:
     angles = random.uniform(0, 2 * np.pi) + np.radians([0, 120, 240]) + random.uniform(-0.4, 0.4, 3)
     directions = np.column_stack([np.cos(angles), np.sin(angles)])
-    corners = 0.5 + np.vstack([0.25 * directions, 0.4 * directions[1]])  # the last one behind the second
+    corners = 0.5 + np.vstack([0.25 * directions, 0.4 * directions[1]])  # the last one lies behind the second
     low, size = PLANE.vertices.min(axis=0), np.ptp(PLANE.vertices, axis=0)
     surface = ask.surface(PLANE)
     points = surface.snap(low + size * np.column_stack([corners, np.zeros(4)]))

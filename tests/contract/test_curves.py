@@ -15,12 +15,12 @@ from surfaces import Mesh, Rng, Shape
 from test_path import assert_is_path
 
 PRISM, PARTS = table.named("prism"), table.named("parts")
-AROUND = 12 * 2 * np.sin(np.pi / 12)  # the prism
+AROUND = 12 * 2 * np.sin(np.pi / 12)  # the girth of the prism
 TILT, RINGS = 1.1, 12
 CONE = surfaces.cone("steep cone", np.full(8, -TILT))
-#: Between two rays of the cone; all together they are less than pi, so that loops go round the apex.
+#: The angle between two rays of the cone; the eight of them sum to less than pi, so that loops go round the apex.
 SECTOR = float(np.arccos(np.cos(TILT) ** 2 * np.cos(np.pi / 4) + np.sin(TILT) ** 2))
-#: The same cut off at the first ring: a tube.
+#: The cone without its tip, cut off at the first ring: a tube.
 FRUSTUM = surfaces.shape("frustum", (CONE.vertices, CONE.faces[8:]), CONE.between, chart=CONE.chart)
 CORNERS = np.array(list(itertools.product([0.0, 1.0], [0.0, 2.0], [0.0, 3.0])))
 BOX = surfaces.shape(
@@ -32,7 +32,7 @@ BOX = surfaces.shape(
 
 
 def torus(around: int, across: int, far: float, near: float) -> Shape:
-    """Around the z axis; vertex i * across + j."""
+    """A torus around the z axis; i counts around, j across: vertex i * across + j."""
     i, j = (grid.ravel() for grid in np.meshgrid(np.arange(around), np.arange(across), indexing="ij"))
     phi, psi = 2 * np.pi * i / around, 2 * np.pi * j / across
     ring = far + near * np.cos(psi)
@@ -45,12 +45,12 @@ def torus(around: int, across: int, far: float, near: float) -> Shape:
 
 
 def regular(corners: int, radius: float) -> float:
-    """How long it is round a regular polygon."""
+    """The perimeter of a regular polygon."""
     return float(2 * corners * radius * np.sin(np.pi / corners))
 
 
 def assert_is_loop(shape: Shape, loop: vorogeo.GeodesicPath) -> None:
-    """Closed, over faces, and as long as its points say."""
+    """The loop is closed, runs over faces, and is as long as its steps."""
     np.testing.assert_allclose(loop.points[0], loop.points[-1], atol=1e-12)
     steps = np.linalg.norm(np.diff(loop.points, axis=0), axis=1)
     assert steps.sum() == pytest.approx(loop.length, rel=1e-12)
@@ -125,7 +125,7 @@ def test_loops_round_a_cone_are_chords_of_its_sector(random: Rng) -> None:
         loop = ask.task("shortest_loop", "exact", CONE, point, ring)
         assert loop.length == pytest.approx(2 * from_apex * np.sin(4 * SECTOR), rel=1e-9)
         assert_is_loop(CONE, loop)
-    # Without an apex, that is the shortest loop; and pulled tight, it comes to the border at the first ring.
+    # Without an apex, it is still the shortest loop through the point; pulled tight, it goes to the first ring.
     loop = ask.task("shortest_loop", "exact", FRUSTUM, 1 + 8 * 10 + 3)
     assert loop.length == pytest.approx(2 * 11 / RINGS * np.sin(4 * SECTOR), rel=1e-9)
     border = ask.task("tighten", "exact", FRUSTUM, ring)

@@ -19,7 +19,7 @@ def areas(vertices: Floats, faces: Ids) -> Floats:
 
 
 def assert_same_surface(shape: Shape, cut: vorogeo.CutMesh) -> None:
-    """Each face has its area, and the new vertices are where their points are."""
+    """Each face keeps its area, and new vertices lie where their points say."""
     count = len(shape.vertices)
     np.testing.assert_array_equal(cut.vertices[:count], shape.vertices)
     np.testing.assert_allclose(

@@ -14,7 +14,7 @@ import vorogeo
 from surfaces import Rng, Shape
 
 STEADY = [shape for shape in [*table.UNROLLED, *table.DRIFTS] if not ask.jumps(shape)]
-#: Who takes other sources than vertices.
+#: Answerers that take other sources than vertices.
 KINDS_OF_POINTS = ("exact", "index", "by index, exact", "quick")
 
 

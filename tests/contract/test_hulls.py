@@ -12,7 +12,7 @@ from surfaces import Floats, Rng, Shape
 
 
 def assert_is_hull_of(found: vorogeo.GeodesicPolygon, places: Floats) -> None:
-    """The same corners, area and perimeter as those of points of the plane."""
+    """The hull has the corners, area and perimeter of the hull of these points of the plane."""
     hull = ConvexHull(places)
     in_doubt = list(set(found.corners) ^ set(hull.vertices))  # on a side, but for rounding
     assert (np.abs((places[in_doubt] @ hull.equations[:, :2].T + hull.equations[:, 2]).max(axis=1)) < 1e-9).all()
@@ -29,7 +29,7 @@ def test_in_a_plane_it_is_the_hull_of_the_plane(by: str, shape: Shape, random: R
     assert_is_hull_of(found, anywhere.positions(shape.vertices, shape.faces)[:, :2])
     ids = random.permutation(len(shape.vertices))[:60]
     turned = ask.task("convex_hull", by, shape, ids)
-    # Vertices of the border lie on lines: those between the ends of one are no corners.
+    # Border vertices lie on straight lines, on which only the outermost are corners of a hull.
     assert turned.area == pytest.approx(ConvexHull(shape.vertices[ids, :2]).volume, rel=1e-9)
 
 
@@ -58,7 +58,7 @@ def test_on_a_sphere_it_is_that_of_the_points_seen_from_its_centre(random: Rng) 
     found = surface.convex_hull(points)
     seen = points.positions(vertices, faces)
     hull = ConvexHull(seen[:, :2] / seen[:, 2:])
-    # Faces are flat and edges bent: points nearer to a side of the hull than that may be corners or not.
+    # Faces are flat, not spherical: points that lie this close to a side of the hull may be corners or not.
     assert len(set(found.corners) ^ set(hull.vertices)) <= 2
     on_sphere = seen[hull.vertices] / np.linalg.norm(seen[hull.vertices], axis=1)[:, None]
     arcs = np.arccos((on_sphere * np.roll(on_sphere, -1, axis=0)).sum(axis=1))

@@ -19,7 +19,7 @@ SHAPES = [table.named(name) for name in NAMES]
 
 
 def pickled(answerer: Any) -> Any:
-    """An object after a journey to another process."""
+    """An object as another process would receive it."""
     return pickle.loads(pickle.dumps(answerer))
 
 

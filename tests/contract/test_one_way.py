@@ -18,7 +18,7 @@ asked = table.asked(["exact", "automatic"], SHAPES)
 
 
 def ways(shape: Shape, points: Any, to: bool) -> Floats:
-    """What the ways between points and all vertices cost, a row for each point."""
+    """The costs of the ways from points to all vertices, or `to` the points; a row for each point."""
     chart = shape.charted(points)
     return shape.between(shape.chart, chart).T if to else shape.between(chart, shape.chart)
 
@@ -84,7 +84,7 @@ def test_matrices_hold_the_ways_from_rows_to_columns(by: str, shape: Shape, rand
     within = (expected <= radius) & ~np.eye(len(points), dtype=bool)
     np.testing.assert_array_equal(np.isfinite(pairs), within)
     np.testing.assert_allclose(pairs[within], expected[within], rtol=shape.slack)
-    # No way round is shorter.
+    # No detour through another point is shorter.
     found = ask.matrix(by, shape, points)
     detours = (found[:, :, None] + found[None, :, :]).min(axis=1)
     assert (found <= detours * (1 + 2 * shape.slack) + 1e-12).all()
@@ -118,7 +118,7 @@ def test_a_drift_the_other_way_swaps_from_and_to(shape: Shape) -> None:
     )
 
 
-#: What has no sense there, or is not solved, by what its sentence begins with.
+#: Questions that make no sense there, or are not solved, by the first words of their refusal.
 REFUSED: dict[str, Callable[[vorogeo.Surface], Any]] = {
     "Indexes": lambda s: s.build_index(),
     "Poisson-disk samplings": lambda s: s.sample_poisson_disk(0.5),

@@ -12,7 +12,7 @@ import table
 import vorogeo
 from surfaces import Rng, Shape
 
-#: A refined path of an index is never too short, and rarely too long: twice the largest error in docs/figures.md.
+#: By how much a refined path may be too long (it is never too short): twice the largest error in docs/figures.md.
 REFINED = 3e-3
 
 
@@ -33,7 +33,7 @@ def assert_is_path(shape: Shape, path: Any, source: Any, target: Any) -> None:
 
 
 def faces_with(shape: Shape, point: tuple[Any, Any]) -> set[int]:
-    """The faces that hold a point: those of all corners that have a weight."""
+    """The faces that hold a point: those with all corners whose weight is not 0."""
     face, weights = point
     corners = shape.faces[face][weights > 1e-12]
     return set(np.flatnonzero(np.isin(shape.faces, corners).sum(axis=1) >= len(corners)).tolist())

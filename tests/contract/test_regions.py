@@ -8,12 +8,12 @@ import pytest
 import table
 from surfaces import Floats, Rng, Shape
 
-#: Only where every length is one in space, areas and borders can be computed from positions.
+#: Surfaces measured in space, where areas and borders can be computed from positions.
 FLAT = [shape for shape in table.UNROLLED if shape.metric is None]
 
 
 def area_of_faces(shape: Shape) -> Floats:
-    """The area of each face in space; 0 for what is no face of the surface."""
+    """The area of each face in space; 0 for a face that is left out."""
     corner = shape.vertices[shape.faces]
     crossed = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
     return np.linalg.norm(crossed, axis=1) / 2 * table.is_face(shape)

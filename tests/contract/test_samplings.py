@@ -1,4 +1,4 @@
-"""Each farthest sample is as far from all before as can be; Poisson-disk samples keep their distance and fill."""
+"""Each farthest sample is as far as possible from those before; Poisson-disk samples keep apart and leave no room."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import pytest
 import table
 from surfaces import Rng, Shape
 
-#: Surfaces with a formula between any two vertices and a component of all vertices.
+#: Surfaces with a formula for any two vertices and a single component.
 WHOLE = [shape for shape in table.UNROLLED if shape.name != "parts"]
 
 

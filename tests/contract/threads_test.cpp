@@ -10,7 +10,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-/// Lists of any numbers, one after the other.
+/// Concatenates lists of any kind of number.
 template <class... Lists>
 Numbers all_of(const Lists&... lists) {
   Numbers numbers;
