@@ -53,7 +53,7 @@ struct From {
     for (const TracedEnd& end : traced) positions.push_back(position_of(*mesh, end.point));
     return positions;
   }
-  /// A vector of the frame in space, where the surface is flat around the point.
+  /// A vector of the frame as a vector in space, if the surface is flat around the point.
   Point in_space(const Tangent& vector) const {
     const auto axes = frame.axes();
     return moved(moved({}, vector[0], axes[0]), vector[1], axes[1]);
@@ -91,7 +91,7 @@ std::string name(const SurfacePoint& point) {
 
 test::Soup jittered_plane() { return test::plane_grid(12, 9, 2.0, 1.5, 0.2).soup; }
 
-/// Each vertex moved by a thousandth of the shortest edge around: no two paths are equally long any more.
+/// Moves each vertex by a thousandth of the shortest edge at it, so that no two paths are equally long.
 test::Soup shaken(test::Soup soup) {
   const auto mesh = test::make_mesh(soup);
   std::vector<double> shortest(soup.positions.size(), unreachable);
@@ -182,10 +182,10 @@ TEST(Directions, OnATubeALineIsAHelix) {
   for (const SurfacePoint& point : test::spread_points(soup)) {
     const From from(soup, point);
     const Point at = position_of(*from.mesh, from.point);
-    // A turn around the tube, up or down to half the height.
+    // Lines once around the tube, up or down to half the height.
     const double around = sides * width;
     const double up = 0.5 * height - at[2];
-    if (from.point.is_vertex()) continue;  // its axes are not those of the sides unrolled
+    if (from.point.is_vertex()) continue;  // its axes are not those of the unrolled sides
     const auto axes = from.frame.axes();
     const Tangent above{axes[0][2], axes[1][2]};
     for (const double sign : {1.0, -1.0}) {
@@ -211,7 +211,7 @@ TEST(Directions, RoundAnEdgeOfACubeTheyAreThoseOfItsUnfolding) {
       const Point step = minus(there, at);
       const double below = -dot(step, normal);
       if (below > 0.3) continue;  // such points are nearest by the side that they lie on
-      // Over the edge between: what is below lies that much farther out.
+      // Unfolded over the edge between: a point below lies that much farther out.
       Point flat = moved(step, below, normal);
       for (int k = 0; k < 3 && below > 1e-12; ++k) {
         const bool beyond = std::abs(there[k] - 0.5) > 0.5 - 1e-12 && std::abs(normal[k]) < 0.5;
@@ -228,8 +228,8 @@ TEST(Directions, RoundAnEdgeOfACubeTheyAreThoseOfItsUnfolding) {
 
 // ---- Directions, traced paths and traced lines agree
 
-/// Of all vertices that are reached without a turn, and not across an edge of three faces or more, where
-/// lines end. `tolerance`: relative to the length of a line.
+/// Lines lead back to all vertices that are reached without a turn and without crossing an edge of three
+/// faces or more, where lines end. `tolerance`: relative to the length of a line.
 void expect_lines_to_lead_back(const From& from, double tolerance, const std::string& mesh_name) {
   const Mesh& mesh = *from.mesh;
   int straight = 0;
@@ -250,7 +250,7 @@ void expect_lines_to_lead_back(const From& from, double tolerance, const std::st
     if (mesh.representative(v) == from.point.vertex || !from.is_straight_to(v)) continue;
     ++straight;
     const double scale = std::max(from.solver.distance(v), mesh.typical_edge_length());
-    // Weights of points on edges to far outliers have no more digits.
+    // The weights of points on edges to far outliers hold no more digits.
     const double rounding = 1e-15 * mesh.longest_edge_length();
     lines.push_back({v, tolerance * scale + rounding,
                      mesh_name + ", " + name(from.point) + " to vertex " + std::to_string(v)});
@@ -367,7 +367,7 @@ TEST(Straightest, ALineEndsAtTheBorderOrSlidesAlongIt) {
   const double far = (std::sqrt(1.25) * up + 10.0) / std::sqrt(1.25);
   const TracedEnd round = trace(from.frame, vector_to({0.5 * far, far, 0.0}), AtBorder::slide);
   expect_at(position_of(*from.mesh, round.point), {at[0] + 0.5 * up, 2.0, 0.0}, 1e-11, "round");
-  // Together, more than are traced side by side.
+  // Many lines in one call, more than are traced side by side.
   const std::array parts{0.0, 1.0, 1.2};  // of the way to the border
   std::vector<Tangent> vectors;
   for (int k = 0; k < 30; ++k)

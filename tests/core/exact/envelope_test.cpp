@@ -84,8 +84,8 @@ TEST(WindowEnvelope, AloneAWindowStaysWhole) {
 }
 
 TEST(WindowEnvelope, WhatTheFrontHasPassedStaysWithWhatIsThere) {
-  // Two envelopes get the same windows, none nearer than the front: where the one that knows it has let go
-  // of windows, the other has distances that the front has passed; elsewhere, the two are the same.
+  // Two envelopes get the same windows, none nearer than the front. Where the one that knows the front has
+  // dropped windows, the other has distances that the front has passed; elsewhere, both are the same.
   const auto seed = std::random_device{}();
   SCOPED_TRACE(seed);
   std::mt19937 random(seed);
@@ -121,7 +121,7 @@ TEST(WindowEnvelope, WhatTheFrontHasPassedStaysWithWhatIsThere) {
       const double expected = value_at(all, x);
       const double found = value_at(left, x);
       if (found == -unreachable) {
-        // In a gap, the nearest window tells.
+        // In a gap, the window with the least distance there must lie behind the front.
         double nearest = expected;
         for (const Window& w : all) {
           const double aside = std::max({0.0, w.begin - x, x - w.end});
@@ -149,7 +149,7 @@ TEST(WindowEnvelope, NewWindowsAreAllThatCameSinceTheyWereTaken) {
   EXPECT_TRUE(envelope.new_windows(0).empty());
   std::mt19937 random(1);
   for (int batch = 0; batch < 300; ++batch) {
-    // Behind, before and among those of the batches before it, which may not have been taken yet.
+    // The window lies behind, before or among those of earlier batches, which may not have been taken yet.
     const double begin = static_cast<double>(random() % 1000) / 10.0;
     insert(envelope, 0, window(begin, begin + 0.3, begin, 1.0, 9.0 - 0.01 * batch, 100 + batch));
     const auto all = envelope.windows(0);
@@ -164,7 +164,7 @@ TEST(WindowEnvelope, NewWindowsAreAllThatCameSinceTheyWereTaken) {
   }
   take();
   EXPECT_TRUE(std::ranges::all_of(envelope.windows(0), &Window::is_propagated));
-  // What lies between its neighbours is new alone.
+  // Between windows that have been taken, it is the only new one.
   insert(envelope, 0, window(200.0, 201.0, 200.0, 1.0, 0.0));
   EXPECT_EQ(envelope.new_windows(0).size(), 1U);
 }
@@ -190,8 +190,8 @@ TEST(WindowEnvelope, OnePointSeenPastTwoSidesOfAVertexIsCutInTheBatch) {
   const Window third = window(3.5, 9.0, 9.0, 4.0, 3.0, 2);
   envelope.open(0, 1e-13);
   for (const Window& w : {first, second, third}) envelope.insert(w, w.distance(w.begin), w.distance(w.end));
-  // (x - 1)^2 + 4 = (x - 3)^2 + 1 at 1.25; the third is longer than the second at 3.5 and at 4, and takes the
-  // rest. The second is least below its source: 3 + 1.
+  // (x - 1)^2 + 4 = (x - 3)^2 + 1 at 1.25; at 3.5 and at 4 the third is longer than the second, and it takes
+  // the rest. The least distance is that of the second right below its source: 3 + 1.
   EXPECT_DOUBLE_EQ(envelope.store(), 4.0);
   const auto list = windows_of(envelope, 0);
   ASSERT_EQ(list.size(), 3U);
@@ -268,9 +268,9 @@ TEST(WindowEnvelope, WhatTiesFarAwayIsComparedNextToThePseudoSources) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (int round = 0; round < 1000; ++round) {
-    // On an edge of length 1, windows whose sources are 1e-8 to 1 away from it and hardly beside each other.
+    // On an edge of length 1, windows whose sources are 1e-8 to 1 away from it and close to each other.
     const double away = std::pow(10.0, -8.0 * unit(random));
-    const bool at_begin = round % 2 == 0;  // as on an edge whose positions keep more digits there
+    const bool at_begin = round % 2 == 0;  // where positions on an edge keep more digits
     const double x = at_begin ? away : 0.1 + 0.8 * unit(random);
     const double rounding = at_begin ? 0.0 : 1e-12;  // of slivers
     std::vector<Window> all;
@@ -300,10 +300,9 @@ TEST(WindowEnvelope, WhatTiesFarAwayIsComparedNextToThePseudoSources) {
 }
 
 TEST(WindowEnvelope, EqualAtOneEndEachKeepsWhereItIsShorter) {
-  // Two branches of hyperbolas that cross at x = 1 and at the common end x = 3: b.offset makes them equal at
-  // both.
+  // Two branches of hyperbolas that cross at x = 1 and at the common end x = 3, made so by the offset of b.
   const double ax = -1.0, ay = 0.5;
-  // Pseudo-source of b on the x axis beyond: found so that both differences of distance agree.
+  // The height of the pseudo-source of b is found so that the differences of distance at both places agree.
   auto difference = [&](double by, double x) { return std::hypot(x - 0.4, by) - std::hypot(x - ax, ay); };
   double low = 0.0, high = 10.0;
   for (int i = 0; i < 200; ++i) {
@@ -336,8 +335,8 @@ TEST(WindowEnvelope, EqualAtOneEndEachKeepsWhereItIsShorter) {
 }
 
 TEST(WindowEnvelope, WhatBendsEarlierTakesItsPlaceFromWhatTiesWithIt) {
-  // A point at distance 15, and a vertex on the way there: beside the ray through both, the way by the vertex
-  // is longer by the square of that over 15, less than the tolerance.
+  // A source at distance 15, and a vertex on the path from it: x beside the ray through both, the path by the
+  // vertex is longer by some x^2 / 15, less than the tolerance.
   const Window straight = window(5e-6, 1e-5, 0.0, 15.0, 0.0, 0);
   const Window bent = window(0.0, 1.0, 0.0, 5.0, 10.0, 1);
   WindowEnvelope envelope;
@@ -425,14 +424,14 @@ void expect_least(const Window& old, const Window& fresh) {
     const double x = std::clamp(k / 64.0, 1e-6, 1.0 - 1e-6);
     const double least = std::min(old.distance(x), fresh.distance(x));
     const double length = std::abs(old.source_x) + old.source_y + std::abs(fresh.source_x) + fresh.source_y;
-    // Windows that tie at an end of the edge may do so up to there.
+    // Windows that tie at an end of the edge may be swapped where they differ by no more than this.
     const double tied = 1e-12 * std::max(old.distance(1.0), old.distance(0.0));
     ASSERT_LE(value_at(list, x), least + 1e-9 * (old.offset + fresh.offset + length) + tied) << "at " << x;
   }
 }
 
 TEST(WindowEnvelope, WindowsThatTieInOnePartAreCutWhereTheyPartWherever) {
-  // Pseudo-sources on the line of the edge: the equation for where they are equal is next to 0 = 0.
+  // Pseudo-sources on the line of the edge: the equation of their equal distances is next to 0 = 0.
   expect_least(window(0, 1, 0.6654546040327461, 0, 0),
                window(0, 1, 0.6654301612156492, 0, 2.4442816585864222e-05));
   // Pseudo-sources a million edges away.
@@ -460,7 +459,7 @@ TEST(WindowEnvelope, WindowsThatTieInOnePartAreCutWhereTheyPartWherever) {
 
 // The memory of an envelope: what does not fit is refused.
 
-/// Adds the stretch [begin, end] of an edge seen from below its middle.
+/// Adds a window over [begin, end] whose source lies below its middle.
 void add(WindowEnvelope& envelope, Index edge, double begin, double end) {
   Window window = Window::from_source(100.0, 0.5 * (begin + end), 1.0, 0.0, 0, 0);
   window.begin = begin;
@@ -503,7 +502,7 @@ TEST(EnvelopeStore, WindowsThatDoNotFitTheMemoryAreRefused) {
       message.ends_with(" of memory available. Take the method quick or an index instead, give a greatest "
                         "distance, or use fewer threads."))
       << message;
-  // There is room for smaller runs.
+  // Smaller runs fit.
   envelope.clear();
   add(envelope, 0, 0.0, 1.0);
   EXPECT_EQ(envelope.windows(0).size(), 1U);

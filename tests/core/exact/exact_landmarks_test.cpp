@@ -1,4 +1,4 @@
-// Bounds by landmarks: never above the exact distance, equal to it between landmarks, harmless elsewhere.
+// Bounds by landmarks: never above the exact distance, and equal to it at landmarks.
 #include "exact/exact_landmarks.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST(ExactLandmarks, BoundsAreNeverAboveTheDistance) {
     for (Index v = 0; v < mesh->vertex_count(); v += 7) {
       EXPECT_LE(landmarks.least_distance(v, seen), solver.distance(v) * (1.0 + 1e-12));
     }
-    // At a landmark the bound is its own distance, up to the width of a face.
+    // At a landmark, the bound is the exact distance, up to the width of a face for points in faces.
     const double width = point.is_vertex() ? 1e-5 : mesh->mean_edge_length();
     EXPECT_GE(landmarks.least_distance(700, seen), solver.distance(700) - width);
   }
@@ -83,7 +83,7 @@ TEST(ExactLandmarks, AreFarApartInTheComponentWithTheMostVertices) {
     const SurfacePoint from = SurfacePoint::at_vertex(data.surface.vertex[b]);
     return landmarks->least_distance(data.surface.vertex[a], landmarks->seen_from(*data.surface.mesh, from));
   };
-  // Farthest points of a square are its corners: between them the bound is the distance.
+  // Landmarks of a square are its corners: between them, the bound is the distance.
   const Index last = (columns + 1) * (columns + 1) - 1;
   for (const Index a : {Index{0}, columns, last - columns, last}) {
     for (const Index b : {Index{0}, columns, last - columns, last}) {

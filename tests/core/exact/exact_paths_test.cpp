@@ -1,4 +1,4 @@
-// Exact paths along a tiny rim, and from one point to many; and what is a path.
+// Exact paths along a tiny rim, and from one point to many; and the check of what is a path.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 TEST(PathTracing, AlongARimABillionthAsLongAsItsSpokes) {
   // A flat sector of needles; every other vertex of the rim lies nearer to the hub, so that shortest paths
-  // touch only those and cross the spokes to the others next to their ends.
+  // touch only these and cross the spokes to the other vertices close to their ends.
   constexpr Index rim = 40;
   constexpr double width = 4e-10;
   constexpr double height = 2e-10;
@@ -64,7 +64,7 @@ TEST(PathsFromPoint, DearFaceFartherThanAllVertices) {
   EXPECT_NEAR(there, paths.path_to(SurfacePoint::at_vertex(0)).length, 1e-3 * there);
 }
 
-// Lengths along points, which points are the same, and what is not a path.
+// Lengths along points, points that are the same, and what is no path.
 
 TEST(SurfacePath, ItsLengthIsTheSumOfTheStepsInFaces) {
   const auto mesh = test::make_mesh(test::plane_grid(2, 1, 2.0, 1.0).soup);
@@ -125,13 +125,13 @@ TEST(SurfacePath, IsOneOnlyOfTheLengthItSays) {
   EXPECT_FALSE(is_path(*mesh, {{a, b}, 3.0}, a, b, 3.0 + 1e-8));
   EXPECT_FALSE(is_path(*mesh, {{a, b}, 3.0 + 1e-8}, a, b, 3.0));
   EXPECT_FALSE(is_path(*mesh, {{}, 0.0}, a, b, 0.0));
-  // What no propagation has reached is as long as nothing.
+  // No path has the length of what no propagation has reached.
   EXPECT_FALSE(is_path(*mesh, {{a, b}, 3.0}, a, b, unreachable));
   EXPECT_FALSE(is_path(*mesh, {{a, b}, unreachable}, a, b, 3.0));
 }
 
 TEST(SurfacePath, RoundingBesideAnOutlierIsThatOfTheStep) {
-  // Whatever the corner at which a face begins, a step at its short side is measured from there.
+  // A step near the short side of a face is measured from there, whatever corner the face begins with.
   for (int turn = 0; turn < 3; ++turn) {
     test::Soup soup{{{0, 0, 0}, {1, 0, 0}, {0.5, 1e12, 0}}, {{0, 1, 2}}};
     std::rotate(soup.faces[0].begin(), soup.faces[0].begin() + turn, soup.faces[0].end());

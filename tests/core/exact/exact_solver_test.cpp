@@ -29,9 +29,9 @@ using test::expect_near;
 using test::Shape;
 using test::Soup;
 
-/// A rectangle of cells x cells cells, turned over every second diagonal or not, folded along a row of
-/// vertices, and turned so that all positions are rounded: a ray through a vertex of the fold leads to others
-/// at the same slope. Distances are straight lines.
+/// A rectangle of cells x cells cells, with every second diagonal flipped or not, folded along a row of
+/// vertices, and rotated so that all positions are rounded: a ray through a vertex of the fold leads through
+/// others at the same slope. Distances are those of straight lines.
 void expect_straight_on_a_folded_grid(int cells, double width, double height, bool alternating) {
   SCOPED_TRACE(std::to_string(width) + " x " + std::to_string(height));
   Soup soup = test::plane_grid(cells, cells, width, height).soup;
@@ -270,7 +270,7 @@ TEST(EdgePoints, ARunStopsOnlyWhenTheyAreFinal) {
   const Index source = 0;
   whole.run_from_vertices(std::span(&source, 1));
   for (const EdgePoint& point : points) {
-    // The vertices alone would let the run stop at the source.
+    // The target vertex alone would let the run stop at the source.
     ExactLimits limits;
     limits.targets = std::span(&source, 1);
     limits.edge_targets = std::span(&point, 1);
@@ -318,7 +318,7 @@ TEST(ExactDefects, NonManifoldMeshesAgreeWithBruteForce) {
 }
 
 TEST(ExactDefects, DistancesBesideAnOutlierAreThoseWithoutIt) {
-  // The pulled vertex is the last of its edges in one numbering and the first in the other.
+  // The lifted vertex is the last vertex of its edges in one numbering and the first in the other.
   for (const bool reversed : {false, true}) {
     for (const double lift : {1e4, 1e8, 1e10, 1e11, 1e12}) {
       Soup soup = test::plane_grid(8, 8, 8.0, 8.0, 0.0).soup;
@@ -336,8 +336,7 @@ TEST(ExactDefects, DistancesBesideAnOutlierAreThoseWithoutIt) {
         const Point& p = mesh->position(source);
         for (Index v = 0; v < mesh->vertex_count(); ++v) {
           const Point& q = mesh->position(v);
-          // In the plane the outlier leaves a hole between 3 and 5: straight lines beside it are the shortest
-          // paths.
+          // The outlier leaves a hole in the plane between 3 and 5: beside it, shortest paths are straight.
           const bool beside = (p[1] <= 3.0 && q[1] <= 3.0) || (p[1] >= 5.0 && q[1] >= 5.0);
           if (!beside || v == source) continue;
           const double straight = std::hypot(p[0] - q[0], p[1] - q[1]);
@@ -351,7 +350,7 @@ TEST(ExactDefects, DistancesBesideAnOutlierAreThoseWithoutIt) {
 }
 
 TEST(ExactDefects, HowFarOutOutliersAreChangesNothing) {
-  // Beside a spike, faces hardly change when it is ten thousand times longer.
+  // The faces beside a spike hardly change when the spike is ten thousand times longer.
   const Soup hills = test::hills(40, 2.0);
   const auto n = static_cast<Index>(hills.positions.size());
   const double edge = test::make_mesh(hills)->typical_edge_length();
@@ -387,7 +386,7 @@ TEST(ExactDefects, OverEdgesOfElevenOrdersBothDirectionsAgree) {
   EXPECT_NEAR(there, solver.distance(26), 1e-9 * there);
 }
 
-// Timing of an exact field: whole where there is time, stopped and extrapolated otherwise.
+// Timing of an exact field: measured to the end where there is time, otherwise stopped and extrapolated.
 
 TEST(FieldTiming, StopsAndExtrapolates) {
   const auto geometry = std::make_shared<const LocalGeometry>(test::make_mesh(test::icosphere(5)));
@@ -404,7 +403,7 @@ TEST(FieldTiming, IsThatOfTheLargestComponent) {
     const auto geometry = std::make_shared<const LocalGeometry>(test::make_mesh(soup));
     return time_exact_field(geometry, 1000.0, {}, "Timing").seconds;
   };
-  // A triangle beside it, with the first faces and vertices, takes a thousandth.
+  // A field on the triangle, which has the first face and vertices, would take a thousandth of the time.
   const test::Soup triangle{{{9.0, 0.0, 0.0}, {9.0, 1.0, 0.0}, {9.0, 0.0, 1.0}}, {{0, 1, 2}}};
   EXPECT_GT(seconds(test::two_components(triangle, sphere)), 0.1 * seconds(sphere));
 }
@@ -418,7 +417,7 @@ TEST(FieldTiming, IsExtrapolatedToTheComponentOnly) {
   const FieldTiming alone = stopped(sphere);
   const FieldTiming beside = stopped(test::two_components(sphere, sphere));
   ASSERT_FALSE(alone.is_complete || beside.is_complete);
-  // Reports come by the number of steps, so that both stop at the same vertices.
+  // Reports come after a number of steps, so that both runs stop at the same vertices.
   EXPECT_NEAR(beside.reached, alone.reached, 0.1 * alone.reached);
 }
 

@@ -20,7 +20,7 @@ double twice_area(const Place& a, const Place& b, const Place& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/// Of the circle through three places: its centre and radius.
+/// The centre and the radius of the circle through three places.
 std::array<double, 3> circle(const Place& a, const Place& b, const Place& c) {
   const Place u{b[0] - a[0], b[1] - a[1]}, v{c[0] - a[0], c[1] - a[1]};
   const double uu = u[0] * u[0] + u[1] * u[1], vv = v[0] * v[0] + v[1] * v[1],
@@ -29,7 +29,7 @@ std::array<double, 3> circle(const Place& a, const Place& b, const Place& c) {
   return {a[0] + off[0], a[1] + off[1], std::hypot(off[0], off[1])};
 }
 
-/// All triangles inside, each edge but the three sides in two of them, one on either side.
+/// Expects that all triangles lie inside, and each edge but the three sides has one on either side.
 void expect_triangulated(const std::vector<Place>& places,
                          const std::vector<std::array<Index, 3>>& triangles) {
   EXPECT_EQ(triangles.size(), 2 * places.size() - 5);

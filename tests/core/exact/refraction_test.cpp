@@ -61,12 +61,12 @@ TEST(Snell, CrossingsStayOnTheirEdges) {
   EXPECT_EQ(crossing[0], 1.0);
 }
 
-// Waves at points of an edge against sources in a plane, and against the least of all ways.
+// Waves at points of an edge against sources in a plane, and against the least over all crossings.
 
-/// New ones for each run; a failure says which.
+/// Random waves, new ones in each run; a failure names the seed.
 class Waves : public testing::Test {
  protected:
-  /// The wave at x on the x axis of a source in the plane, at a distance of its own.
+  /// A source in the plane with an offset, and its wave at a place on the x axis.
   struct Source {
     EdgeWave at(double place) const {
       const double radius = std::hypot(place - x, y);
@@ -114,8 +114,8 @@ TEST_F(Waves, OneCostIsThePlane) {
   }
 }
 
-/// The place on the x axis where the way from a source before it to a target behind it, a unit of which costs
-/// `cost`, is shortest.
+/// The place on the x axis where the path from a source before it to a target behind it, where a unit of
+/// length costs `cost`, is shortest.
 double refracted_at(const auto& from, const std::array<double, 2>& target, double cost) {
   double low = -10.0;
   double high = 10.0;
@@ -145,7 +145,7 @@ TEST_F(Waves, DearerFacesBendEachRay) {
         EXPECT_NEAR(found, cost * crossing, 1e-4 * cost) << cost << " at " << away;
         EXPECT_NEAR(beam.distance(found, cost * target[0], cost * target[1]), exact, 1e-8 * exact)
             << cost << " at " << away;
-        // The ray comes from its source.
+        // The refracted ray comes from the source that the beam places.
         const auto [x, y] = beam.source(found);
         EXPECT_NEAR((found - x) * cost * target[1], -y * (cost * target[0] - found),
                     1e-4 * std::hypot(found - x, y) * cost)
@@ -163,7 +163,7 @@ TEST_F(Waves, DearerFacesBendEachRay) {
 
 TEST_F(Waves, ThoseThatMeetCross) {
   for (int i = 0; i < 100; ++i) {
-    // Where the distances of two sources are the same, the nearer one on each side is right.
+    // Where two sources are equally far, the waves meet; on each side, the nearer source counts.
     const Source left{between(-3.0, -2.0), between(0.2, 1.0), 0.0};
     Source right{between(3.0, 4.0), between(0.2, 1.0), 0.0};
     const double meet = between(0.2, 0.8);
@@ -176,7 +176,7 @@ TEST_F(Waves, ThoseThatMeetCross) {
 
 TEST_F(Waves, ShadowsBeginBetweenThem) {
   for (int i = 0; i < 100; ++i) {
-    // Beyond `edge`, paths bend at a vertex that lies on the ray through it.
+    // Beyond `edge`, paths bend at a vertex on the ray from the source through that place.
     const double edge = between(0.1, 0.9);
     const Source direct{between(-1.0, 0.0) - 8.0, 10.0, 0.0};
     const double share = between(0.3, 0.6);
@@ -191,8 +191,8 @@ TEST_F(Waves, ShadowsBeginBetweenThem) {
 }
 
 TEST(Refraction, WavesBecomeFlatterInDearerFaces) {
-  // Around a source at height 1 over an edge beyond which a unit costs 5: the second derivative of the least
-  // sum along a line parallel to the edge is that of a wave of this radius.
+  // A source lies at height 1 over an edge beyond which a unit costs 5: along a line parallel to the edge,
+  // the second derivative of the least sum is that of a wave of the refracted radius.
   constexpr double cost = 5.0;
   constexpr double depth = 0.3;
   const auto distance = [&](double x) {
@@ -213,10 +213,10 @@ TEST(Refraction, WavesBecomeFlatterInDearerFaces) {
   EXPECT_EQ(refracted_radius(2.0, {cosine, 1.0}, true), 2.0);
 }
 
-// Faces entered from between two points of a side, where two waves meet, against straight lines.
+// Faces that waves enter between two points of a side, also where two waves meet, against straight lines.
 
-/// Two waves meet in the middle of the long side. The distances of its points would place a source before it
-/// from which the apex is a quarter nearer than it is.
+/// Two waves meet in the middle of the long side. A single source placed by the distances of its points would
+/// be a quarter nearer to the apex than the true sources.
 TEST(WeightedCrossing, WavesThatMeetPlaceNoSource) {
   const std::vector<Point> positions{{0, 0, 0}, {1, 0, 0}, {0.5, 0.1, 0}};
   const std::vector<std::array<Index, 3>> faces{{0, 1, 2}};
@@ -228,7 +228,7 @@ TEST(WeightedCrossing, WavesThatMeetPlaceNoSource) {
   }
 }
 
-/// One wave from far away, which all pieces of the side see: its source is placed exactly.
+/// One wave from far away reaches all pieces of the side: its source is placed exactly.
 TEST(WeightedCrossing, OneWavePlacesItsSource) {
   const std::vector<Point> positions{{0, 0, 0}, {1, 0, 0}, {0.47, 0.1, 0}, {0.5, -3, 0}};
   const std::vector<std::array<Index, 3>> faces{{0, 1, 2}, {0, 3, 1}};
@@ -240,8 +240,8 @@ TEST(WeightedCrossing, OneWavePlacesItsSource) {
   }
 }
 
-/// All lengths that are accepted: straight lines in the plane at the ends of the range, and distances that
-/// powers of two multiply without rounding.
+/// Over the whole range of lengths: straight lines in the plane at its ends, and distances that scale with
+/// powers of two without rounding.
 TEST(WeightedCrossing, DistancesGrowWithTheMesh) {
   auto distances = [](test::Soup soup, double scale, const std::vector<double>& cost) {
     for (Point& p : soup.positions) p = {scale * p[0], scale * p[1], scale * p[2]};

@@ -1,5 +1,5 @@
-// Ridges have the topology of what is left of a surface without a disk, at whatever rounding; on a box, two
-// shortest paths lead to each point, by its unfoldings.
+// Ridges have the topology of a surface without an open disk, whatever the rounding; on a box, two shortest
+// paths lead to each point, as its unfoldings show.
 #include "exact/ridge.h"
 
 #include <gtest/gtest.h>
@@ -71,10 +71,11 @@ class RidgeOf : public testing::Test {
     return false;
   }
 
-  /// Of a connected surface without isolated vertices. Without the ridge and its border, it is one open disk
-  /// for each source; or several, which touch at vertices that shortest paths pass: at the border, where
-  /// another source is as near; and along a sharp edge, where what is reached by way of the edge is no wider
-  /// than rounding. A line that goes on along the border from there has nothing beside it.
+  /// Expects that a surface without the ridge and its border is one open disk for each source; or several,
+  /// which touch at vertices that shortest paths pass: at the border, where another source is equally near;
+  /// and along a sharp edge, where the part that is reached over the edge is no wider than rounding. A line
+  /// that goes on along the border from there separates nothing. \pre The surface is connected, without
+  /// isolated vertices.
   void expect_disks(const Mesh& mesh, const Ridge& ridge, const std::vector<SurfacePoint>& sources) {
     const std::string name = "seed " + std::to_string(seed_);
     const auto count = [](std::size_t number) { return static_cast<std::ptrdiff_t>(number); };
@@ -125,7 +126,7 @@ class RidgeOf : public testing::Test {
     expect_disks(*mesh, ridge_from(mesh, points), points);
   }
 
-  /// Without the faces whose middle is in a region of the plane.
+  /// The mesh without the faces whose middle is in a region of the plane.
   template <class InRegion>
   static test::Soup cut_out(const test::Soup& soup, const InRegion& in_region) {
     test::Soup rest;
@@ -193,7 +194,7 @@ TEST_F(RidgeOf, ASurfaceWithABorderLeavesADiskWithoutIt) {
 }
 
 TEST_F(RidgeOf, EachPairOnAFlatGridHasItsBisector) {
-  // Many bisectors pass exactly through vertices of the border, some with sources there.
+  // Many bisectors pass exactly through border vertices, some of which are sources.
   const int columns = random_.between(3, 7), rows = random_.between(3, 7);
   const double width = columns, height = rows;
   const test::Soup grid = test::plane_grid(columns, rows, width, height).soup;
@@ -264,7 +265,7 @@ TEST_F(RidgeOf, RegularGridsWithBordersLeaveADiskForEach) {
   }
 }
 
-/// Where three sources are as near as none else, in the plane.
+/// The points of the plane at which three sources are equally near and none is nearer.
 std::vector<Point> voronoi_vertices(const std::vector<Point>& sources) {
   std::vector<Point> found;
   for (std::size_t i = 0; i < sources.size(); ++i) {
@@ -305,7 +306,7 @@ TEST_F(RidgeOf, SourcesWithinAFaceHaveTheirVoronoiDiagram) {
           sources.push_back(SurfacePoint::in_face(face, {1.0 - a - b, a, b}));
           places.push_back(position_of(*mesh, sources.back()));
         };
-        // A ring round a source, far from the border, so that its region is; or anywhere.
+        // A ring round a source, so that its region stays away from the border; or anywhere.
         for (int k = 0; k < count; ++k) {
           const double turn = 2.0 * pi * (k + random_.uniform(0.0, 0.4)) / count;
           const double a = random_.uniform(0.0, 1.0), b = random_.uniform(0.0, 1.0);
@@ -349,7 +350,7 @@ TEST_F(RidgeOf, SourcesWithinAFaceHaveTheirVoronoiDiagram) {
 }
 
 TEST_F(RidgeOf, SourcesWithinAFaceHaveTheirVoronoiDiagramInAMetric) {
-  // Of one face by the lengths of its sides, without positions.
+  // One face, given by the lengths of its sides, without positions.
   const std::vector<Point> corners{{0.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {0.7, 2.0, 0.0}};
   const test::Soup soup{corners, {{0, 1, 2}}};
   const auto in_space = test::make_mesh(soup);
@@ -378,8 +379,8 @@ TEST_F(RidgeOf, SourcesWithinAFaceHaveTheirVoronoiDiagramInAMetric) {
 }
 
 TEST_F(RidgeOf, LinesMeetWhereThreeSourcesAreAsNear) {
-  // On a torus with saddles, behind which waves are parted. By Euler's formula, regions that are disks meet
-  // by threes at twice as many points as there are sources.
+  // On a torus with saddles, behind which waves are split. By Euler's formula, regions that are disks meet in
+  // threes at twice as many points as there are sources.
   int meetings = 0;
   for (int round = 0; round < 4; ++round) {
     const auto mesh = test::make_mesh(shaken(test::torus(24, 12, 2.0, 0.8), 0.1));
@@ -419,7 +420,7 @@ TEST_F(RidgeOf, ComponentsHaveTheirOwn) {
 }
 
 TEST_F(RidgeOf, PathsAlongTheRimsOfHolesLeaveADisk) {
-  // A path along the wall of a hole grazes the vertices of its rim, and is as short as one by way of them.
+  // A path along the wall of a hole grazes the vertices of its rim, and ties with paths through them.
   std::vector<unsigned> seeds{1067262975, 355407742, 884581297};
   while (seeds.size() < 20) seeds.push_back(static_cast<unsigned>(random_.below(1U << 30)));
   for (const unsigned seed : seeds) {
@@ -442,7 +443,7 @@ TEST_F(RidgeOf, ABoxIsWhereTwoUnfoldedPathsAreEqual) {
   const test::Shape box = test::box({1.0, 1.3, 0.7}, 3);
   const auto mesh = test::make_mesh(box.soup);
   const SurfaceLocator locator(mesh);
-  // Not where, by symmetry, lines meet on an edge.
+  // The source is placed so that lines do not meet on an edge by symmetry.
   const double part = random_.uniform(0.2, 0.4);
   const SurfacePoint source =
       SurfacePoint::in_face(static_cast<Index>(random_.below(static_cast<std::size_t>(mesh->face_count()))),
@@ -465,8 +466,8 @@ TEST_F(RidgeOf, ABoxIsWhereTwoUnfoldedPathsAreEqual) {
     ++looked_at;
     const double here = box.distance(source, ridge.points[p]);
     EXPECT_NEAR(ridge.distance[p], here, 1e-9);
-    // One step away, the shorter of two paths is longer by the cosine of half the angle between them, at
-    // most.
+    // A step away, the shorter of both paths is longer by at most the step times the cosine of half their
+    // angle.
     double rise = -1.0;
     for (int k = 0; k < directions; ++k) {
       Point beside = place;

@@ -1,4 +1,4 @@
-// Runs that several solvers share, and the territories of these.
+// Runs that several solvers share, and the solvers' territories.
 #include "exact/shared_run.h"
 
 #include <gtest/gtest.h>
@@ -18,11 +18,12 @@
 namespace vorogeo {
 namespace {
 
-// Runs that several solvers share: the work of one, its answers, and cancelled.
+// Runs that several solvers share: the same answers as of one solver, and cancelling.
 
 using test::expect_near;
 
-/// The field from three sources up to a limit, of one thread and of several, with one solver for all of them.
+/// Compares fields from three sources up to a limit, by one thread and by several, in a solver that is
+/// reused.
 void expect_equal(const test::Soup& soup, double max_distance) {
   const auto last = static_cast<Index>(soup.faces.size()) - 1;
   const std::vector<ExactSource> sources{{SurfacePoint::at_vertex(0), 0.1},
@@ -70,7 +71,7 @@ TEST(SharedRun, OnNeedlesAndSmallPartsItMakesAsManyWindowsAsOneSolver) {
 TEST(SharedRun, EqualsOneSolverFromSeveralSourcesAndUpToALimit) {
   expect_equal(test::drilled_plate(4, 3, 0.3, 2), unreachable);
   expect_equal(test::hills(30, 3.0), 9.0);
-  // Lengths that lie further apart than a queue has buckets.
+  // Lengths whose ratio exceeds the number of buckets of a queue.
   test::Soup outliers = test::icosphere(3);
   for (Index v : {11, 222}) {
     for (double& coordinate : outliers.positions[v]) coordinate *= 1e5;
@@ -111,13 +112,13 @@ TEST(SharedRun, IsCancelledAndReportsProgress) {
   EXPECT_EQ(solver.distance(1), farthest);
 }
 
-// Territories: books of thousands of pages are no hurdle.
+// Territories: books of thousands of pages take no longer than other meshes.
 
 TEST(Territories, OfABookOfThousandsOfPagesAreFoundAtOnce) {
   const auto mesh = test::make_mesh(test::book_of_pages(20'000));
   const double start = thread_seconds();
   const Territories territories(*mesh, 2);
-  // Quadratic work takes seconds.
+  // Work quadratic in the pages would take seconds.
   EXPECT_LT(thread_seconds() - start, 0.5);
   const auto owned = std::count(territories.of_edge.begin(), territories.of_edge.end(), 0);
   EXPECT_NEAR(static_cast<double>(owned), 20'000.0, 4'000.0);

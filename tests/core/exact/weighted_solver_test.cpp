@@ -38,7 +38,8 @@ TEST(WeightedSolver, MuchDearerFacesAreNotReachedTooSoon) {
   const Layers layers(24, [](double, double y) { return y > 0.0 ? 1.0 : 30.0; });
   WeightedSolver solver = layers.solver();
   const Index source = layers.nearest(0.9, 0.1);
-  // The formula is for the dearer half-plane below and a source there; paths go both ways.
+  // The formula takes a source in the dearer half-plane below; distances are symmetric, so the ends are
+  // swapped.
   const auto exact = [](const Point& p, const Point& q) {
     return q[1] > -1e-12 ? distance_between(p, q) : two_half_planes(q, p, 1.0, 30.0);
   };
@@ -48,7 +49,7 @@ TEST(WeightedSolver, MuchDearerFacesAreNotReachedTooSoon) {
   EXPECT_GT(errors.least, -5e-3);
 }
 
-/// A new one for each run, which its failures name.
+/// A new seed for each run; failures name it.
 unsigned new_seed() { return std::random_device()(); }
 
 TEST(WeightedSolver, ErrorsFallWithTheSquareOfThePoints) {
@@ -67,7 +68,7 @@ TEST(WeightedSolver, ErrorsFallWithTheSquareOfThePoints) {
   }
 }
 
-/// Each face in four.
+/// Each face divided in four.
 test::Soup subdivided(const test::Soup& soup) {
   test::Soup fine{soup.positions, {}};
   std::map<std::array<Index, 2>, Index> middles;
@@ -127,7 +128,7 @@ TEST(WeightedSolver, MorePointsAreMoreExact) {
 }
 
 TEST(WeightedSolver, NothingIsNearerThanWhereAllDirectionsAreCheap) {
-  // Each tensor is at least the identity, and up to 100 times as dear in a direction of its own.
+  // Each tensor is at least the identity, and makes steps in some direction up to 100 times as dear.
   const test::Soup soup = test::plane_grid(10, 10, 2.0, 2.0, 0.3, 3).soup;
   std::mt19937 random(3);
   std::uniform_real_distribution<double> between(0.0, 1.0);
@@ -151,7 +152,7 @@ TEST(WeightedSolver, NothingIsNearerThanWhereAllDirectionsAreCheap) {
   }
 }
 
-// Where the faces of all edges agree, the surface is one of flat faces, whose distances are exact.
+// Where the faces of all edges agree on lengths, the surface is one of flat faces, and distances are exact.
 
 std::vector<double> field_of(const std::shared_ptr<const Mesh>& mesh, const std::vector<ExactSource>& from) {
   LocalSolver solver(std::make_shared<const LocalGeometry>(mesh));
@@ -209,9 +210,9 @@ TEST(AgreeingFaces, CostsThatDifferInAComponentDoNotChangeTheOthers) {
   EXPECT_EQ(solver.nearest_source(targets[1]), no_index);
 }
 
-// What limits leave out changes nothing of what is asked for.
+// Limits change nothing within them.
 
-/// Costs without order: neighbours on an edge differ much.
+/// Costs without order: often, the two faces of an edge differ much.
 double mosaic(double x, double y) { return std::fmod(1e3 * (x + 7.0 * y + 9.0), 2.0) < 1.0 ? 1.0 : 30.0; }
 
 TEST(WeightedLimits, LimitsDoNotChangeWhatLiesWithin) {
@@ -288,7 +289,7 @@ TEST(WeightedLimits, TheBarrierIsWhereFacesMayNotBeEntered) {
   EXPECT_EQ(solver.distance(layers.nearest(1.5, 0.0)), unreachable);
 }
 
-// Fans of faces without width, where paths run along the cheapest of the sides that lie on each other, and of
+// Fans of faces without width, where paths run along the cheapest of several coinciding sides, and fans of
 // needles.
 
 struct FlatFan {
@@ -318,8 +319,8 @@ struct FlatFan {
 TEST(WeightedThin, FansAreCrossedAlongTheirCheapSides) {
   const FlatFan fan(40);
   const WeightedSolver solver = fan.solved();
-  // The line is covered by the sides from vertex 0 to all that lie beyond, and a side between two neighbours;
-  // any of them is reached at no cost from any other.
+  // Each place of the line is covered by the sides from vertex 0 to all vertices beyond, and by one between
+  // two neighbours; any of these sides is reached at no cost from any other.
   const Mesh& mesh = solver.mesh();
   auto cheapest_at = [&](double x) {
     double least = unreachable;
@@ -354,7 +355,7 @@ TEST(WeightedThin, FansOfNeedlesEnd) {
 }
 
 TEST(WeightedThin, ANeedleCostsItsLengthWhicheverSideItsFaceBeginsWith) {
-  // Needles on the short sides of a triangle, up to one tip: by the sides, their height is a 1e-9th.
+  // Needles on the sides of a triangle, all with one tip: their width is some 1e-9 of their length.
   const double tip = 5.7e8;
   const std::vector<Point> positions{{0, 0, 0}, {1, 0, 0}, {0.3, 0.9, 0}, {0.2, 0.1, tip}};
   const std::vector<double> cost{1.5, 1.3, 1.7, 1.4};
@@ -369,8 +370,8 @@ TEST(WeightedThin, ANeedleCostsItsLengthWhicheverSideItsFaceBeginsWith) {
 }
 
 TEST(WeightedThin, ADearFaceWithoutWidthIsNoDetourInWhicheverOrderItsVerticesAreNumbered) {
-  // It lies on the line y = 0 and has a vertex at 0.1, near one end of its long side; near the other end,
-  // where a face is small, are most of the points.
+  // The face lies on the line y = 0 and has a vertex at 0.1, near one end of its long side; most points on
+  // that side are near the other end, where a face is small.
   std::vector<Index> order{0, 1, 2, 3, 4};
   do {
     const std::array<Point, 5> places{{{0, 0, 0}, {1, 0, 0}, {0.1, 0, 0}, {0.99, 0.02, 0}, {0.5, -1, 0}}};

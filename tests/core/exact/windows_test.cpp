@@ -1,4 +1,4 @@
-// Windows: where vertices overtake them, propagation across faces of every shape, and merging.
+// Windows: where paths by a vertex overtake them, propagation across faces of every shape, and merging.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@
 namespace vorogeo {
 namespace {
 
-// Where a vertex overtakes a window.
+// Where the path by a vertex becomes shorter than a window's.
 
 TEST(Window, AVertexOvertakesWhereBothAreEquallyFar) {
   std::mt19937 random(2);
@@ -29,7 +29,7 @@ TEST(Window, AVertexOvertakesWhereBothAreEquallyFar) {
     const double source_y = number(random);
     const double offset = number(random);
     const double to_vertex = offset + std::hypot(source_x, source_y);
-    // Nearer than over the window at position 0, farther than the window's asymptote: there is one crossing.
+    // The vertex is nearer than the window at position 0, but farther than its asymptote: they cross once.
     const double from_vertex =
         offset - source_x + (to_vertex - offset + source_x) * (0.02 + 0.3 * number(random));
     const double x = vertex_takeover(from_vertex, offset, source_x, source_y);
@@ -40,14 +40,14 @@ TEST(Window, AVertexOvertakesWhereBothAreEquallyFar) {
 }
 
 TEST(Window, AVertexOvertakesNothingOfWhatSeesTheSourceThatItSees) {
-  // Up to rounding, although far along the edge the distance by way of the vertex has the same digits.
+  // Up to rounding: far along the edge, the distances by the vertex and by the window have the same digits.
   for (const double slope : {1e-1, 1e-3, 1e-5, 1e-7}) {
     const double behind = 6e-10;
     const double across = slope * behind;
     EXPECT_LE(vertex_takeover(std::hypot(behind, across), 0.0, -behind, across), 1e-6 * behind / slope)
         << slope;
   }
-  // What comes along the edge itself is overtaken all along.
+  // A window along the edge itself is overtaken everywhere.
   EXPECT_EQ(vertex_takeover(0.5, 0.0, -0.5, 0.0), unreachable);
 }
 
@@ -59,9 +59,9 @@ TEST(ExactGeometry, NeedlesWhoseRoundedSidesContradictEachOtherKeepTheLengthOfTh
   std::mt19937 random(seed);
   for (int trial = 0; trial < 1000; ++trial) {
     const double shortest = std::pow(10.0, std::uniform_real_distribution(-9.0, -2.0)(random));
-    // The longest stays below 1, from where on a last digit is twice as large.
+    // The longest side stays below 1, above which a last digit is twice as large.
     const double middle = std::uniform_real_distribution(0.5, 0.98)(random);
-    // As long as both together, but for the last digit.
+    // The longest side is as long as the others together, up to its last digit.
     const double longest = std::nextafter(shortest + middle, trial % 2 == 0 ? 0.0 : 2.0);
     const SideLengths sides{{shortest, middle, longest}};
     const auto mesh = std::make_shared<const Mesh>(std::vector<Point>(3, no_position),
@@ -97,9 +97,9 @@ TEST(Propagation, AcrossNeedlesOfAnyThinnessInAPlane) {
 }
 
 TEST(Propagation, PathsBendAtAVertexThatLiesOnAnEdge) {
-  // Vertex 2 lies on the edge 0-1, joined to it by a face without width. Of the rays from vertex 3 that end
-  // left of it, there is no face above the edge: vertex 5 lies in its shadow, behind the face 0-1-4, whose
-  // apex lies in the shadow as well.
+  // Vertex 2 lies on the edge 0-1, joined to it by a face without width. There is no face above the edge left
+  // of vertex 2, so no ray from vertex 3 ends there: vertex 5 lies in the shadow of vertex 2, behind the face
+  // 0-1-4, whose apex lies in the shadow as well.
   for (const bool mirrored : {false, true}) {
     for (const double lifted : {0.0, 1e-17, 1e-14, 1e-12}) {
       test::Soup soup;
@@ -123,8 +123,8 @@ TEST(Propagation, PathsBendAtAVertexThatLiesOnAnEdge) {
 }
 
 TEST(Propagation, WindowsThatAFlatVertexPartedGoOnAsOne) {
-  // In a plane, also across a side with many points, through which a wave comes in as many windows, an edge
-  // is seen from few sources: hundreds if all those windows went on by themselves.
+  // A wave passes a side with many points in as many windows. In a plane, an edge behind it is still seen
+  // from few sources; it would have hundreds of windows if all of these went on separately.
   constexpr Index pieces = 400;
   test::Soup fans;
   fans.positions = {{0.3, -1.0, 0.0}, {0.6, 1.0, 0.0}};
@@ -176,8 +176,8 @@ TEST(BackStep, DistancesInFacesWithoutArea) {
 
 struct Merged {
   double least = 0.0;     ///< largest amount by which a distance is too short, in mean edges
-  double greatest = 0.0;  ///< and too long
-  double windows = 0.0;   ///< relative to those of the exact run
+  double greatest = 0.0;  ///< and by which one is too long
+  double windows = 0.0;   ///< number, relative to that of the exact run
 };
 
 Merged merged(const test::Soup& soup, double tolerance) {
@@ -205,7 +205,7 @@ Merged merged(const test::Soup& soup, double tolerance) {
 }
 
 TEST(WindowMerging, SavesWindowsAndErrsByLittleMoreThanItsTolerance) {
-  // A path crosses dozens of edges; what their windows deviate by adds up in part.
+  // A path crosses dozens of edges; the deviations of their windows add up in part.
   constexpr double tolerance = 2e-4;
   for (const test::Soup& soup : {test::icosphere(4), test::hills(40, 0.12), test::random_sphere(2000, 4)}) {
     const Merged found = merged(soup, tolerance);
@@ -234,7 +234,7 @@ TEST(WindowMerging, DistancesInASmallPartAreAsRightAsOthers) {
 }
 
 TEST(WindowMerging, DoesNotBringWindowsRoundAFarOutlierNearer) {
-  // High up, each time round an outlier takes less than the rounding of distances there: the run had no end.
+  // Near the tip of an outlier, going round it takes less than the rounding of distances there.
   test::Soup soup = test::hills(60, 2.0);
   const double height = 1e12 * test::make_mesh(soup)->typical_edge_length();
   for (const Index v : test::random_vertices(static_cast<Index>(soup.positions.size()), 100, 1)) {

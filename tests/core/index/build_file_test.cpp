@@ -1,5 +1,5 @@
 // Indexes built in a file: the same to the last bit as one that is built in memory and saved, however often
-// the build is stopped; nothing half-made is loaded, and other meshes and options are refused.
+// the build is stopped; no unfinished file is loaded, and other meshes and options are refused.
 #include <gtest/gtest.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -100,7 +100,7 @@ TEST(BuildFile, GoesOnAfterItWasCancelled) {
   }
 }
 
-/// VOROGEO_KILLS: how many, if not the usual six.
+/// The number of kills: VOROGEO_KILLS, or six by default.
 int kill_count() {
   const char* wanted = std::getenv("VOROGEO_KILLS");
   return wanted == nullptr ? 6 : std::max(1, std::atoi(wanted));
@@ -129,7 +129,7 @@ TEST(BuildFile, GoesOnAfterKillAtAnyMoment) {
       ::_exit(0);
     }
     if (kill == 0) {
-      // At whatever moments the others come, this one leaves a file.
+      // The other kills come at random moments; this one waits for an unfinished file.
       for (int look = 0; look < 10000 && !std::filesystem::exists(unfinished); ++look)
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     } else {
@@ -139,11 +139,11 @@ TEST(BuildFile, GoesOnAfterKillAtAnyMoment) {
     ::waitpid(child, nullptr, 0);
     if (std::filesystem::exists(unfinished)) {
       left_something = true;
-      // Complete, and killed before it was given its name; or refused.
+      // The file is complete, and only not renamed yet; or it is refused.
       ASSERT_TRUE(read_bytes(unfinished) == whole ||
                   test::loading(unfinished, test::make_mesh(soup)) != "loaded");
     }
-    // Every third build goes on to its end; what is there by then is complete.
+    // Every third build runs to its end; a file of that name is always complete.
     if (kill % 3 == 2) {
       ASSERT_EQ(building(file, soup, options), "built");
     }
@@ -217,7 +217,7 @@ TEST(BuildFile, AnUnfinishedFileIsNoIndexAndBelongsToItsMesh) {
   EXPECT_EQ(building(folder / "a.vgi", soup, options), "built");
   EXPECT_EQ(read_bytes(folder / "a.vgi"), saved_bytes(soup, options));
 
-  // Killed after the file was complete, before or after the rest was cut off.
+  // Killed after the file was complete, before or after leftover space was cut off.
   bytes = read_bytes(folder / "a.vgi");
   for (const std::size_t leftover : {0, 10000}) {
     write_bytes(unfinished, bytes + std::string(leftover, 'x'));
@@ -227,7 +227,7 @@ TEST(BuildFile, AnUnfinishedFileIsNoIndexAndBelongsToItsMesh) {
     EXPECT_EQ(read_bytes(folder / "a.vgi"), bytes);
     EXPECT_EQ(folder.files(), (std::set<std::string>{"a.vgi"}));
   }
-  // Damaged after that, it is built anew.
+  // If such a file is damaged, it is built anew.
   std::string damaged = bytes;
   damaged[bytes.size() / 2] = static_cast<char>(damaged[bytes.size() / 2] ^ 4);
   for (const std::string& broken : {damaged, bytes.substr(0, bytes.size() - 100), bytes.substr(0, 300)}) {
@@ -236,7 +236,7 @@ TEST(BuildFile, AnUnfinishedFileIsNoIndexAndBelongsToItsMesh) {
     EXPECT_EQ(building(folder / "a.vgi", soup, options), "built");
     EXPECT_EQ(read_bytes(folder / "a.vgi"), bytes);
   }
-  // Killed before it had a head.
+  // Killed before the head was written.
   std::filesystem::remove(folder / "a.vgi");
   write_bytes(unfinished, std::string(5000, '\0'));
   EXPECT_EQ(building(folder / "a.vgi", soup, options), "built");
@@ -271,7 +271,7 @@ TEST(BuildFile, ABuildThatGoesOnTakesTheSpaceThatACopyHasLost) {
   };
   const std::int64_t size = space().second;
   EXPECT_GE(space().first, size);
-  // Only what is filled so far, with a hole behind it.
+  // The file has only its filled part, followed by a hole.
   const std::string head = read_bytes(unfinished).substr(0, 1 << 12);
   std::filesystem::remove(unfinished);
   write_bytes(unfinished, head);

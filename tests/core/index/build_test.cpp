@@ -99,7 +99,7 @@ TEST(GeodesicIndex, TinyMeshesAndAsManyPatchesAsFaces) {
   }
 }
 
-/// A surface of many parts, each of several patches: a field stays in one part, the tables are of all.
+/// A surface of many parts with several patches each: a field stays in one part, tables cover all of them.
 Soup many_tori(int count) {
   const Soup part = test::torus(60, 30, 2.0, 0.7);
   Soup all = part;
@@ -149,7 +149,7 @@ TEST(BuildEstimate, SaysWhatTheIndexWillHold) {
 }
 
 TEST(BuildEstimate, TakesPartsOfALargeMeshForTheWhole) {
-  // Fewer faces than make a large mesh, and more, of the same surface.
+  // The same surface with fewer and with more faces than make a mesh large.
   const BuildEstimate whole = estimate_build(test::make_mesh(test::torus(240, 120, 3.0, 1.0)), {}, false);
   const BuildEstimate parts = estimate_build(test::make_mesh(test::torus(480, 240, 3.0, 1.0)), {}, false);
   EXPECT_GT(parts.bytes, 2.5 * whole.bytes);
@@ -157,8 +157,8 @@ TEST(BuildEstimate, TakesPartsOfALargeMeshForTheWhole) {
   EXPECT_EQ(parts.exact_field_seconds, 0.0);
 }
 
-/// With so many patches (0: chosen), the estimate has about the bytes of an index of tables, which all follow
-/// from the layout.
+/// Expects that the estimate for these numbers of patches (0: automatic) is about the size of an index of
+/// tables, which follows from the layout.
 void expect_bytes_laid_out(const std::shared_ptr<const Mesh>& mesh, Index first, Index second) {
   IndexData data;
   data.mesh = mesh;
@@ -233,7 +233,7 @@ TEST(MemoryBudget, ChoosesTheForm) {
   EXPECT_LT(graph->statistics().arcs, tables->statistics().arcs);
   EXPECT_LT(graph->statistics().bytes, tables->statistics().bytes);
 
-  // A budget of exactly what the tables take holds them; the predicted sizes are the actual ones.
+  // A budget of exactly what the tables take is enough, so predicted sizes are the actual ones.
   const auto needed =
       static_cast<std::int64_t>(std::ceil(static_cast<double>(tables->statistics().bytes) / mib));
   EXPECT_EQ(c.build(needed)->statistics().form, IndexForm::tables);
@@ -254,17 +254,17 @@ TEST(MemoryBudget, OneThatIsTooSmallIsToldTheLeast) {
   EXPECT_TRUE(early.ends_with(" MiB in its smallest form: give a larger memory budget or a larger delta."))
       << early;
   EXPECT_EQ(c.refusal(-1), "The memory budget is -1 MiB; give a positive number, or 0 for 4096 MiB.");
-  // The least figure suffices, and one less does not.
+  // The least budget is enough, and one MiB less is not.
   const auto least =
       static_cast<std::int64_t>(std::ceil(static_cast<double>(c.build(0, 0.05)->statistics().bytes) / mib));
   EXPECT_EQ(c.build(least, 0.05)->statistics().form, IndexForm::graph);
   EXPECT_NE(c.refusal(least - 1, 0.05).find("takes"), std::string::npos);
 }
 
-// Patches of an index: better ones where tables would be large, or borders long.
+// Patches of an index: made anew where tables would be large or borders long.
 
 TEST(IndexPartition, PatchesOfAPlateWithDeepHolesGoThroughIt) {
-  // By distance, the patches of both sides of the plate have borders around each hole between them.
+  // With patches by distance, each side of the plate has its own, with borders around each hole between them.
   const auto mesh = test::make_mesh(test::drilled_plate(8, 8, 3.0, 2));
   const PartitionOptions options{0, 0, 1, 1};
   const Partition usual = make_partition(*mesh, options, {});

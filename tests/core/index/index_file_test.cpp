@@ -65,7 +65,7 @@ class ChangedSample {
     write_sample(file_);
     good = read_bytes(file_);
   }
-  /// The message that reading these bytes gives.
+  /// The message when these bytes are read.
   std::string reading_of(const std::string& bytes) const {
     write_bytes(file_, bytes);
     return reading(file_);
@@ -211,12 +211,12 @@ class DamagedIndex : public testing::Test {
     blocks_ = test::index_blocks(good_);
   }
 
-  /// What loading says of these blocks, with checksums that fit.
+  /// The message when these blocks are loaded, with checksums that fit.
   std::string loading(const std::vector<test::IndexBlock>& blocks) {
     write_bytes(file_, test::with_blocks(good_, blocks));
     return test::loading(file_, mesh_);
   }
-  /// After one element of a block was set.
+  /// The same after one element of a block was set.
   template <class T>
   std::string loading_with(test::IndexBlockName block, std::size_t element, T value) {
     auto blocks = blocks_;
@@ -308,11 +308,11 @@ TEST_F(DamagedIndex, PlacesOfAnotherVersionAreNoDamage) {
   auto blocks = blocks_;
   blocks[test::numbers].set<std::uint64_t>(layout, ~blocks_[test::numbers].get<std::uint64_t>(layout));
   EXPECT_EQ(loading(blocks), other_version);
-  // Nor if its tables have other sizes.
+  // The same if a table has another size.
   auto& table = blocks[test::second_table];
   table.contents.resize(table.contents.size() - 64 * sizeof(std::uint16_t));
   EXPECT_EQ(loading(blocks), other_version);
-  // A face in another patch is that as well: the places on its border are others.
+  // The same if a face is moved to another patch, as that changes the places on its border.
   const Index patch = blocks_[test::second_layer].get<Index>(0);
   for (std::size_t f = 1; f < blocks_[test::second_layer].count(); ++f) {
     const Index next = blocks_[test::second_layer].get<Index>(f);

@@ -1,5 +1,5 @@
-// Scans, the kernels of the index: against loops by their definitions; many crossings at once against one.
-// scalar_scans_test.cpp asks the same of the kernels without vector instructions.
+// Scans, the kernels of the index: against loops by their definitions; batches of crossings against single
+// ones. scalar_scans_test.cpp asks the same of the kernels without vector instructions.
 #include "index/scans.h"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ TEST(MinPlus, FirstLower) {
   }
 }
 
-/// Entries of a table with some that stand for infinity, and bases with some that stand for none.
+/// Entries of a table, some of which stand for infinity, and bases, some of which are missing.
 struct Entries {
   Entries(Index rows, Index columns, unsigned seed)
       : table(static_cast<std::size_t>(rows) * columns + 1), base(rows) {
@@ -138,7 +138,7 @@ TEST(MinPlus, CellsOfTheNodeTable) {
         std::vector<float> to(columns);
         for (float& x : from) x = random() % 8 == 0 ? infinite : static_cast<float>(random() % 4096);
         for (float& x : to) x = random() % 8 == 0 ? infinite : static_cast<float>(random() % 4096);
-        // Products and sums that need no rounding, but for fourth powers.
+        // Products and sums are exact in single precision, except for fourth powers.
         const TableScale scale = round % 2 == 0 ? TableScale{0.25F} : TableScale{-0x1p-13F};
         std::vector<float> least(columns, 3000.0F);
         std::vector<Index> best(columns, -7);
@@ -391,8 +391,8 @@ TEST(CrossingGains, AsUnfoldingAndParabola) {
 }
 
 TEST(CrossingGains, NothingWhereThePathWouldPassOnBothSides) {
-  // The wave runs along the border, from the neighbour before to the vertex; the one at the neighbour behind
-  // came by another path.
+  // The wave runs along the border, from the neighbour before to the vertex; the distance of the neighbour
+  // behind is of another path.
   Crossings crossings{};
   for (Index k = 0; k < Crossings::capacity; ++k) {
     crossings.source[k] = 0.5F;

@@ -98,7 +98,7 @@ TEST(BatchDijkstra, StaysInTheAllowedPatches) {
 TEST(BatchDijkstra, SourcesThatTheLeaderCannotReach) {
   const auto index = test::make_index(test::two_components(test::icosphere(3), test::icosphere(3)), 6, 2);
   const PatchLayer& layer = index->data().first;
-  // Far from each other and on both components: nothing is saved, but everything is found.
+  // Sources far from each other and on both components: the batch saves nothing, but finds all distances.
   const auto sources = test::random_vertices(layer.node_count(), 10, 3);
   BatchDijkstra batch(layer);
   BoundaryDijkstra full(layer);

@@ -1,5 +1,4 @@
-// Tables of an index: their steps and sizes, and the distances of an index on meshes with outliers and
-// needles too.
+// Tables of an index: their steps and sizes, and distances also on meshes with outliers and needles.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -53,8 +52,7 @@ TEST(TableFiller, TheWaveIsNarrow) {
   EXPECT_GT(greatest_draft_bytes(layer, groups), static_cast<std::int64_t>(all / 144));
 }
 
-// Steps of the two scales, and distances inside parts that are much smaller than what they have grown
-// together with.
+// Steps of the two scales, and distances inside parts that are much smaller than the surface they belong to.
 
 TEST(TableScale, EvenStepsAreTheSameEverywhere) {
   const TableScale scale = TableScale::even(3.0F, 32766);
@@ -139,12 +137,12 @@ TEST(TransitTable, ComponentsOfVeryDifferentSizesKeepTheirDigits) {
   EXPECT_GT(errors.statistics().least, -0.1);
 }
 
-// Pieces of border edges: as long as the share of the tables asks for.
+// Pieces of border edges: so long that tables keep to their share.
 
 Partition partition_of(const Mesh& mesh) { return make_partition(mesh, {0, 0, 0, 1}, {}); }
 
 TEST(BorderPieces, TablesKeepToTheirShare) {
-  // With the finest pieces the many needles of this wheel would take far more.
+  // With the finest pieces, the many needles of this gear would take far more.
   const auto mesh = test::make_mesh(test::gear(100, 32, 8.0));
   const Partition partition = partition_of(*mesh);
   const InnerSurface surface(*mesh, partition);
@@ -155,8 +153,8 @@ TEST(BorderPieces, TablesKeepToTheirShare) {
 }
 
 TEST(BorderPieces, TablesOfPatchesOfAFewNeedlesKeepToEightTimesTheirShare) {
-  // Walls hundreds of times as long as wide are borders. The transit table alone has a row and a column for
-  // each place on those of the first layer.
+  // Borders run along walls hundreds of times as long as wide. The transit table alone has a row and a column
+  // for each place on first-layer borders.
   const auto index = test::make_index(test::hostile_mesh(704420, 600).soup, 2, 2);
   const Mesh& mesh = *index->mesh();
   const double places = index->data().first.node_count();
@@ -179,7 +177,7 @@ TEST(BorderPieces, TablesOfPatchesOfAFewNeedlesKeepToEightTimesTheirShare) {
 
 struct Errors {
   test::ErrorStatistics fields;    ///< of ordinary vertices from ordinary ones
-  test::ErrorStatistics pairs;     ///< the same for two points
+  test::ErrorStatistics pairs;     ///< of two ordinary vertices
   test::ErrorStatistics outliers;  ///< fields of and from outliers
 };
 

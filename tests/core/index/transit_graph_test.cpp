@@ -113,7 +113,7 @@ TEST(TransitGraph, AnArcIsDroppedOnlyIfTwoOthersAreAsShort) {
 }
 
 TEST(TransitGraph, NodesAtNearlyTheSamePlaceStayConnected) {
-  // Two nodes 1e-20 apart or at distance 0: the arcs to a third must not drop each other.
+  // Two nodes are 1e-20 or 0 apart: their arcs to a third must not both be dropped because of each other.
   for (float tiny : {1e-20F, 0.0F}) {
     for (double delta : {0.0, 0.01}) {
       const Matrix all =

@@ -1,4 +1,4 @@
-// Unfolding of border edges: against straight lines in the plane; and how short pieces of borders are.
+// Unfolding of border edges: against straight lines in the plane; and the lengths of pieces of border edges.
 #include "index/unfolding.h"
 
 #include <gtest/gtest.h>
@@ -66,7 +66,7 @@ TEST(Unfolding, NeverLongerThanOverAnEndAndNeverShorterThanTheTriangleInequality
     const double source_b = number(random);
     const double target_a = number(random);
     const double target_b = number(random);
-    // An edge is straight in space: going to a point and on to the other end is never shorter.
+    // Only distances that can occur: by way of a point, it is never shorter from one end to the other.
     if (source_a + source_b < length || target_a + target_b < length) continue;
     const double found = unfolded_distance(length, source_a, source_b, target_a, target_b);
     ASSERT_FALSE(std::isnan(found));
@@ -147,8 +147,8 @@ TEST(Unfolding, AParabolaGainsNoMoreThanWavesThreeTimesAsCurvedAsCircles) {
 }
 
 TEST(Unfolding, AParabolaThroughAKinkGainsLittle) {
-  // A path bends at the middle vertex, round which the surface has more than 2 pi: the sum is shortest there,
-  // and rises steeply on the side where the angles to source and target are wide.
+  // A path bends at the middle vertex, a saddle vertex: the sum is least there, and rises steeply on the side
+  // where the angles to source and target are wide.
   std::mt19937 random(8);
   std::uniform_real_distribution<double> number(0.0, 1.0);
   constexpr double pi = std::numbers::pi;
@@ -220,8 +220,8 @@ TEST(Unfolding, OfMoreThanTwoNeighboursTheOneWithTheShortestPath) {
 }
 
 TEST(Unfolding, NoCrossingWhereThePathWouldPassOnBothSides) {
-  // A wave along the border reaches the vertex; behind it another wave came earlier. The path goes on along
-  // the border, so the sum is right.
+  // A wave along the border reaches the vertex; at the next vertex another wave arrived earlier. The path
+  // goes on along the border, so the sum is right.
   const BorderSample<double> before{7.0, 0.45, 0.2};
   const BorderSample<double> after{6.7, 0.77, 1.0};
   EXPECT_LT(unfolded_distance(after.length, 7.2, after.source, 0.25, after.target), 7.2);
@@ -230,10 +230,10 @@ TEST(Unfolding, NoCrossingWhereThePathWouldPassOnBothSides) {
   EXPECT_LT(crossing_distance(7.2, 0.25, std::array{after}), 7.2);
 }
 
-// Pieces near saddle vertices: as short as circles around these ask for.
+// Pieces near saddle vertices: so short that circles around these deviate by no more than elsewhere.
 
 /// Unit cells in z = 0 over the square from 0 to 10, without those beyond (5, 5), where the border turns:
-/// paths bend at that corner, whose angle is half a pi beyond a straight border.
+/// paths bend at that corner, whose angle of 1.5 pi exceeds that of a straight border by half a pi.
 test::Soup corner() {
   test::Soup soup = test::plane_grid(10, 10, 10.0, 10.0, 0.0).soup;
   std::erase_if(soup.faces, [&](const auto& face) {
@@ -259,9 +259,9 @@ Index edge_beside(const Mesh& mesh, int x) {
   return no_index;
 }
 
-/// So large a patch that all edges are within reach of the corner.
+/// The size of a patch: so large that the corner affects all edges.
 constexpr double size = 150.0;
-/// So short pieces elsewhere that the angle of the corner does not limit them.
+/// The length of pieces elsewhere: so short that the angle of the corner is no limit.
 constexpr double short_pieces = 0.01;
 
 TEST(NearSaddles, PiecesMissTheSameHoweverNearTheSaddleIs) {
@@ -269,7 +269,7 @@ TEST(NearSaddles, PiecesMissTheSameHoweverNearTheSaddleIs) {
   ASSERT_EQ(mesh->position(turn), (Point{5.0, 5.0, 0.0}));
   const NearSaddles saddles(*mesh, short_pieces);
   auto factor = [&](int x) { return saddles.piece_factor(edge_beside(*mesh, x), size); };
-  // l^2 / 8r is the same.
+  // The deviation l^2 / 8r is the same for all.
   EXPECT_NEAR(factor(1) * factor(1) / 4.0, factor(2) * factor(2) / 3.0, 1e-12);
   EXPECT_NEAR(factor(2) * factor(2) / 3.0, factor(3) * factor(3) / 2.0, 1e-12);
   EXPECT_LT(factor(1), 1.0);
@@ -280,7 +280,7 @@ TEST(NearSaddles, NotMoreThanTheAngleAsksFor) {
   auto factor = [&](double longest) {
     return NearSaddles(*mesh, longest).piece_factor(edge_beside(*mesh, 4), size);
   };
-  // l times the angle, too, misses the same: pieces twice as long elsewhere make it four times as much.
+  // Limited by the angle, l times the angle deviates by as much: elsewhere that grows with the square of l.
   EXPECT_NEAR(factor(0.06) / factor(0.05), 0.06 / 0.05, 1e-12);
   EXPECT_EQ(factor(1.0), 1.0);
 }
@@ -289,7 +289,7 @@ TEST(NearSaddles, FarOnesAndConvexCornersChangeNothing) {
   const auto mesh = test::make_mesh(corner());
   const NearSaddles saddles(*mesh, short_pieces);
   EXPECT_EQ(saddles.piece_factor(edge_beside(*mesh, 1), 1.0), 1.0);
-  // The other corners of the border have less than a straight angle.
+  // The other corners of the border have less than a straight angle, so that no path bends there.
   const auto square = test::make_mesh(test::plane_grid(10, 10, 10.0, 10.0, 0.0).soup);
   EXPECT_EQ(NearSaddles(*square, short_pieces).piece_factor(edge_beside(*square, 0), size), 1.0);
 }

@@ -66,7 +66,7 @@ TEST(GapBridges, ASoupWithRoundedPositionsIsJoinedSideBySide) {
 }
 
 TEST(GapBridges, VerticesOfOneFaceAtOnePlaceStayTwoSoThatTheThirdIsReached) {
-  // Two faces whose first edges have no length, and one that is whole: all meet at the origin.
+  // Two faces whose first edge has length zero, and a third with area: all meet at the origin.
   const Soup soup{
       {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 2, 0}, {0, 0, 0}, {0, 0, 3}, {3, 0, 3}},
       {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}}};
@@ -114,7 +114,7 @@ TEST(GapBridges, WhatIsNearInSpaceButTurnsBackIsNotJoined) {
   const Soup open = test::hand(3, 4, 3.0, 0.01, true);
   EXPECT_EQ(bridge_count(*bridged(open, 0.02)), 0);
   EXPECT_GT(bridge_count(*bridged(open, 0.02, true)), 0);
-  // A strip narrower than the gap is no gap.
+  // The borders of a strip narrower than the limit are not joined.
   EXPECT_EQ(bridge_count(*bridged(test::plane_grid(40, 2, 40.0, 0.02).soup, 0.05)), 0);
 }
 
@@ -132,7 +132,7 @@ TEST(GapBridges, TheLeastGapThatJoinsAllIsExact) {
 }
 
 TEST(GapBridges, HeapsOfBordersCostNoMoreThanTheirNumber) {
-  // Triangles around a line, all near all others there.
+  // Triangles around a line, near which each is close to all others.
   Soup soup;
   for (int i = 0; i < 800; ++i) {
     const double angle = 2.0 * 3.141592653589793 * i / 800;
@@ -145,7 +145,7 @@ TEST(GapBridges, HeapsOfBordersCostNoMoreThanTheirNumber) {
   EXPECT_GE(bridge_count(*bridged(soup, 1e-3)), 0);
 }
 
-// Rows of triangles: they cover a gap without overlap, end where it widens, and fill what is left where gaps
+// Rows of bridges: they cover a gap without overlap, end where it widens, and fill the opening where gaps
 // meet.
 
 double area_of(const Mesh& mesh, const std::vector<std::array<Index, 3>>& faces) {

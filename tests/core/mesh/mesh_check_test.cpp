@@ -1,4 +1,4 @@
-// The mesh report: every finding counted, named and said in a sentence, nothing found in a clean mesh.
+// The mesh report: every finding is counted, named and put in a sentence; a clean mesh has none.
 #include "mesh/mesh_check.h"
 
 #include <gtest/gtest.h>
@@ -26,20 +26,20 @@ using test::Soup;
 
 MeshReport check(const Soup& soup) { return check_mesh(soup.positions, soup.faces); }
 
-/// Two squares side by side; the right one has two faces on the common side, which meet at vertex 4.
+/// Two squares side by side; on the common side the right one has two edges, which meet at vertex 4.
 Soup cracked(double at = 0.5) {
   return {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, at, 0}, {2, 0, 0}, {2, 1, 0}},
           {{0, 1, 2}, {0, 2, 3}, {1, 5, 4}, {5, 6, 4}, {4, 6, 2}}};
 }
 
-/// Two plates of so many cells of width 1 side by side, `gap` apart.
+/// Two plates of columns x rows cells of width 1 side by side, `gap` apart.
 Soup two_plates(Index columns, Index rows, double gap) {
   Soup second = test::plane_grid(columns, rows, columns, rows).soup;
   for (Point& p : second.positions) p[0] += columns + gap;
   return test::two_components(test::plane_grid(columns, rows, columns, rows).soup, second);
 }
 
-/// So many spheres in a row.
+/// `count` spheres in a row.
 Soup spheres(int count) {
   Soup soup = test::icosphere(0);
   for (int i = 1; i < count; ++i) {
@@ -332,7 +332,7 @@ TEST(BorderCheck, GapsBetweenComponentsAreFoundWithTheirWidth) {
 }
 
 TEST(BorderCheck, BothSidesOfASlitAreFound) {
-  // Four cells of half a unit on each side: three vertices of each side have one across.
+  // Four cells of half a unit on each side: three vertices of each side have a counterpart across the slit.
   const NearBorders found = find_near_borders(*make_mesh(test::plane_with_slit(1).soup));
   EXPECT_EQ(found.count, 6);
   EXPECT_EQ(found.least, 0.0);
@@ -342,14 +342,14 @@ TEST(BorderCheck, BothSidesOfASlitAreFound) {
 TEST(BorderCheck, NoGapInWholeSurfaces) {
   EXPECT_EQ(find_near_borders(*make_mesh(test::icosphere(2))).count, 0);
   EXPECT_EQ(find_near_borders(*make_mesh(test::plane_grid(9, 7, 9.0, 7.0, 0.25).soup)).count, 0);
-  // A strip so narrow that its two borders are near each other: edges join them.
+  // The two borders of a narrow strip are near each other, but edges join them.
   EXPECT_EQ(find_near_borders(*make_mesh(test::plane_grid(40, 1, 40.0, 0.01).soup)).count, 0);
   EXPECT_EQ(find_near_borders(*make_mesh(test::prism(6, 1, 1, 1.0, 0.01).soup)).count, 0);
   EXPECT_EQ(find_near_borders(*make_mesh(test::cone(300, 1, 3.0, 1.0).soup)).count, 0);
 }
 
 TEST(BorderCheck, HeapsOfLooseFacesCostNoMoreThanTheirNumber) {
-  // Triangles that share a point of space but no vertex; each pair of them is near there.
+  // Triangles that share a point of space but no vertex; there each is near all others.
   Soup soup;
   const int count = 20000;
   for (int i = 0; i < count; ++i) {
@@ -444,7 +444,7 @@ TEST(Outliers, LeaveTheTypicalEdgeAsItIs) {
   EXPECT_DOUBLE_EQ(before, test::make_mesh(soup)->mean_edge_length());
   soup.positions[200][2] = 1e12;
   EXPECT_NEAR(test::make_mesh(soup)->typical_edge_length(), before, 0.01 * before);
-  // Half of the vertices in one point: the edges that have a length are the scale.
+  // Half of the vertices at one point: the scale is that of edges longer than zero.
   test::Soup collapsed = grid();
   for (std::size_t v = 0; v < collapsed.positions.size() / 2; ++v) collapsed.positions[v] = {};
   EXPECT_GT(test::make_mesh(collapsed)->typical_edge_length(), 0.1);

@@ -170,7 +170,7 @@ TEST(MeshLinks, FacesAreLeftOutAnywhereInALargeMesh) {
   EXPECT_EQ(mesh->edge_count(), make_mesh(clean)->edge_count());
 }
 
-// Fans of vertices, and the sums of their angles, around which one turns many times or hardly at all.
+// Fans of vertices, and the sums of their angles, from next to nothing to many turns.
 
 TEST(MeshFans, FanKinds) {
   const auto bow_tie = make_mesh(test::bow_tie(1).soup);
@@ -184,7 +184,7 @@ TEST(MeshFans, FanKinds) {
 }
 
 TEST(MeshFans, AnEdgeOfLengthZeroLetsPathsTurnAtItsEnds) {
-  // Two squares side by side, one end of their common side doubled and joined by a face without area.
+  // Two squares side by side; one end of their common side is two vertices, joined by a face without area.
   const Mesh mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}},
                   {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 2}, {1, 4, 2}});
   EXPECT_EQ(mesh.fan(1), Mesh::Fan::non_manifold);
@@ -204,7 +204,7 @@ TEST(MeshFans, FlippedFacesLeaveEdgesAndFansAsTheyAre) {
 }
 
 TEST(MeshFans, AnglesOfConesAreThoseOfTheirSectors) {
-  // Sectors of half a turn meet the ends of half turns.
+  // Sums of sectors that reach half turns exactly, where the count of half turns changes.
   for (const double total : {0.1, 0.5 * pi, pi, 2.0 * pi, 3.0 * pi, 40.0 * pi}) {
     for (const int sectors : {4, 8, 300}) {
       if (total / sectors >= pi) continue;

@@ -27,7 +27,7 @@ namespace {
 
 // Lengths by costs and tensors, against integrals and straight lines; repaired triangles; refusals.
 
-/// Lengths times `along` in the direction (cos, sin), times 1 across.
+/// The tensor that multiplies lengths by `along` in the direction of `angle`, and by 1 across it.
 Tensor plane_tensor(double angle, double along) {
   const double x = std::cos(angle);
   const double y = std::sin(angle);
@@ -82,7 +82,7 @@ TEST(Metric, RefusesWhatIsNoMetric) {
             "would be 1, 0, -1; squared lengths v' G v must be above 0 in all directions of the face.");
   EXPECT_NE(tensor({1, 2, 0, 2, 1, 0, 0, 0, 1}).find("face 0"), std::string::npos);
   EXPECT_EQ(tensor({1, 1e-12, 0, 0, 1, 0, 0, 0, -5}), "");  // only the plane of the face counts
-  // Three points on a line have no plane: what rounding leaves of it says nothing.
+  // Three points on a line span no plane, and a tensor cannot be judged on the one that rounding leaves.
   const std::vector<Point> line{{1.0 / 6, 0.5, 0}, {0.25, 0.5, 0}, {1.0 / 3, 0.5, 0}};
   const double c = std::cos(0.7);
   const double s = std::sin(0.7);
@@ -91,7 +91,7 @@ TEST(Metric, RefusesWhatIsNoMetric) {
   EXPECT_EQ(test::refusal([&] { sides_by_face_tensor(line, face, along); }), "");
 }
 
-// Meshes with given edge lengths: equal to positions where those are forgotten, refusals, straight lines.
+// Meshes with given edge lengths: the same answers as from positions, refusals, straight lines.
 
 SideLengths sides_in_space(const test::Soup& soup, double stretch_x = 1.0) {
   SideLengths sides;
@@ -136,7 +136,7 @@ TEST(MeshMetric, FacesMayDisagreeWhereItJumps) {
   const Index shared = mesh.edge_of(1);  // from vertex 1 to 2: side 0 of face 0, side 2 of face 1
   EXPECT_EQ(mesh.edge_length(shared), 1.5);
   EXPECT_EQ(mesh.side_length(1), 3.0);
-  // A step along the edge costs what the cheaper face asks.
+  // A step along the edge costs what it does in the cheaper face.
   const auto along = std::array{SurfacePoint::at_vertex(1), SurfacePoint::in_face(0, {0, 0.5, 0.5})};
   EXPECT_NEAR(measured_length(mesh, along).length, 0.75, 1e-14);
   EXPECT_NEAR(distances_in_face(mesh, SurfacePoint::in_face(0, {0, 0.5, 0.5}))[1], 1.5, 1e-14);
@@ -206,7 +206,7 @@ TEST(ShapeMetrics, CylindersHaveADirection) {
 
 TEST(ShapeMetrics, PlanesHaveNone) {
   test::Soup soup = test::plane_grid(4, 3, 2.0, 1.0).soup;
-  // Faces that name a vertex twice, and faces that come again, bend nothing.
+  // Faces that name a vertex twice and repeated faces add no curvature.
   for (std::size_t f = soup.faces.size(); f-- > 0;) {
     soup.faces.push_back({soup.faces[f][0], soup.faces[f][1], soup.faces[f][1]});
     soup.faces.push_back({soup.faces[f][2], soup.faces[f][1], soup.faces[f][0]});
@@ -235,7 +235,7 @@ TEST(EdgePoints, StretchIsThatOfTheTensor) {
   EXPECT_EQ(stretch_of({2, 1, 1}, {2, 1, 1}), 1.0);
 }
 
-/// Right angles along the directions of the tensor. What is left of the area is rounding.
+/// Right triangles with legs along the tensor's directions, so long that their area is lost in rounding.
 TEST(EdgePoints, StretchesBeyondDoublesAreNotSmall) {
   const std::array<double, 3> in_space{std::numbers::sqrt2, 1, 1};
   for (const double stretch : {3e7, 1e8, 1e10, 1e20}) {
@@ -243,13 +243,13 @@ TEST(EdgePoints, StretchesBeyondDoublesAreNotSmall) {
     EXPECT_GE(found, 5e6);
     EXPECT_LE(found, stretch);
   }
-  // A needle that four times the length leaves thinner than rounding, and one that is so in space.
+  // A needle that becomes thinner than rounding at four times the length, and one that is so in space.
   EXPECT_LE(stretch_of({4, 2, 2}, {1, 0.5, 0.5 + 1e-13}), 4.0);
   EXPECT_EQ(stretch_of({5, 4, 3}, {2, 1, 1}), 1.0);
 }
 
-/// Points chosen on a grid for a direction and a stretch of each face. `repeats`: all faces come again, with
-/// one vertex named twice.
+/// The number of points chosen on a grid with a tensor for each face. `repeats`: each face has a copy that
+/// names a vertex twice.
 template <class TensorOf>
 Index chosen(const TensorOf& tensor_of, bool repeats = false) {
   test::Soup soup = test::plane_grid(12, 12, 1.0, 1.0).soup;
@@ -327,8 +327,8 @@ TEST(FaceSplits, PartsFitTogetherAndHaveTheIntegralsOfTheirSides) {
   EXPECT_EQ(mesh.vertex_count() - mesh.edge_count() + mesh.face_count(), 1);
 }
 
-/// Where the cost is y, shortest paths are catenaries y = a cosh(x / a); from t = x / a = p to q, one costs
-/// a^2 / 2 (q - p + (sinh 2q - sinh 2p) / 2).
+/// Where the cost is y, shortest paths are catenaries y = a cosh(x / a); from t = x / a = p to t = q, such a
+/// path costs a^2 / 2 (q - p + (sinh 2q - sinh 2p) / 2).
 TEST(FaceSplits, CoarseFacesHaveTheCatenariesOfALinearCost) {
   const auto seed = std::random_device{}();
   SCOPED_TRACE(seed);
@@ -411,7 +411,7 @@ TEST(FaceSplits, TensorsWithoutOrderEndInFacesThatHold) {
       tensors.push_back(plane_tensor(angle(random), stretch));
     const auto found = lengths_by_tensor(grid.positions, grid.faces, tensors);
     EXPECT_GT(found.split_faces, 0) << stretch;
-    const Mesh mesh(grid.positions, grid.faces, found);  // refuses faces that do not hold
+    const Mesh mesh(grid.positions, grid.faces, found);  // refuses faces whose sides are no triangle
     EXPECT_LE(mesh.face_count(), 3001) << stretch;
   }
 }
@@ -425,7 +425,7 @@ TEST(FaceSplits, FacesWithoutWidthAreShortenedInstead) {
   EXPECT_DOUBLE_EQ(found.sides[0][2], 6.0);
 }
 
-// Points, values and edges of the faces given, where some of them are split.
+// Points, values and edges of input faces, some of which are split.
 
 TEST(InputMap, TakesPointsValuesAndEdgesInAndOut) {
   const Soup grid = plane_grid(8, 8, 1.0, 1.0, 0.3, 5).soup;
@@ -469,7 +469,7 @@ TEST(OneWay, WindsAndGradesAreTheSameAtAnySize) {
   const std::vector<std::array<Index, 3>> faces{{0, 1, 2}, {0, 2, 3}};
   const std::vector<Point> wind(2, {0.3, 0.2, -0.1});
   const std::vector<double> speed(2, 1.0);
-  // The wind less its part along the normal (-1, 0, 2), and its part along y.
+  // In the first face the wind without its component along the normal (-1, 0, 2), in the second that along y.
   const double across = dot(wind[0], {-1, 0, 2}) / 5.0;
   const std::array expected{Point{0.3 + across, 0.2, -0.1 - 2.0 * across}, Point{0.0, 0.2, 0.0}};
   for (const double size : {1.0, 1e-100, 1e100}) {

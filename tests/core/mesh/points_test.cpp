@@ -1,4 +1,4 @@
-// Points of a surface: their forms and refusals, distances beside them, and the nearest to a place in space.
+// Points of a surface: their forms and refusals, distances inside faces, and the nearest to a place in space.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@
 namespace vorogeo {
 namespace {
 
-/// One triangle, the last vertex alone.
+/// One triangle; the last vertex is isolated.
 Mesh triangle() { return Mesh({{0, 0, 0}, {4, 0, 0}, {0, 2, 1}, {9, 9, 9}}, {{0, 1, 2}}); }
 
 std::string refusal(const SurfacePoint& point) {
@@ -43,7 +43,7 @@ TEST(SurfacePoint, RoundingInSingleAndDoublePrecisionIsTaken) {
       exact[k] /= sum;
       single[k] = static_cast<float>(exact[k]);
     }
-    // As programs compute the third weight from the other two.
+    // Programs often compute the third weight from the other two.
     std::array<double, 3> rest = single;
     rest[2] = 1.0F - static_cast<float>(single[0]) - static_cast<float>(single[1]);
     for (const auto& weights : {exact, single, rest}) {
@@ -77,7 +77,7 @@ TEST(SurfacePoint, RefusalsNameTheElement) {
   EXPECT_NE(refusal(SurfacePoint::in_face(0, {-2e-6, 0.5, 0.5})), "");
 }
 
-// Nearest points against a search through all faces, and from as far away as numbers go.
+// Nearest points against a search through all faces, and from the greatest distances that numbers hold.
 
 TEST(SurfaceLocator, NoPointOfAFineSampleOfTheSurfaceIsNearer) {
   const auto mesh = test::make_mesh(test::torus(12, 8, 2.0, 0.7));
@@ -111,7 +111,7 @@ TEST(SurfaceLocator, FarPointsAreAnswered) {
     const SnappedPoint beside = locator.nearest({far, 0.0, 0.0});
     EXPECT_NEAR(position_of(*mesh, beside.point)[0], 1.0, 1e-7) << far;
     EXPECT_NEAR(beside.distance, far, 2.0 + 1e-12 * far) << far;
-    // Seen along the diagonal the corner is nearest.
+    // From far out on the diagonal, the corner is nearest.
     const SnappedPoint corner = locator.nearest({far, far, far});
     EXPECT_LT(distance_between(position_of(*mesh, corner.point), {1.0, 2.0, 3.0}), 1e-6) << far;
     EXPECT_NEAR(corner.distance / std::sqrt(3.0), far, 4.0 + 1e-12 * far) << far;
@@ -145,7 +145,7 @@ TEST(SurfaceLocator, PointsThatCannotBeAnsweredAreNamed) {
   EXPECT_THROW(SurfaceLocator(test::make_mesh({{{0, 0, 0}}, {}})), InvalidInput);
 }
 
-// The tree of boxes against a look at all of them.
+// The tree of boxes against a search through all boxes.
 
 Box random_box(std::mt19937& random, double size) {
   std::uniform_real_distribution<double> place(0.0, 10.0);
@@ -237,7 +237,7 @@ TEST(FaceDistance, LeavesOutUnreachedCorners) {
 
 TEST(FaceDistance, MeetsTheCorners) {
   const auto mesh = test::make_mesh({{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}, {{0, 1, 2}}});
-  // Two waves: no source in the plane has these three distances.
+  // Distances of two waves: no single source in the plane has these three.
   const std::array corners{4.0, 4.5, 6.5};
   EXPECT_NEAR(distance_in_face(*mesh, 0, {1, 0, 0}, corners), 4.0, 1e-12);
   EXPECT_NEAR(distance_in_face(*mesh, 0, {0, 1, 0}, corners), 4.5, 1e-12);

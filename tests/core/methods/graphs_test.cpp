@@ -101,8 +101,7 @@ TEST(SvgMethod, IsNeverTooShortAndGetsBetterWithK) {
 }
 
 TEST(SvgMethod, OnAConvexShapeOnlyTheCompleteGraphIsExact) {
-  // The weakness that the literature names: no vertex is a saddle, so that each needs an arc to all the
-  // others.
+  // A weakness that the literature names: no vertex is a saddle, so that each needs arcs to all others.
   const auto mesh = test::make_mesh(test::random_sphere(150, 5));
   EXPECT_GT(test::errors_against_exact("svg", mesh, 7, {{"K", 50.0}}).greatest, 1e-3);
   const auto complete = test::errors_against_exact("svg", mesh, 7, {{"K", 149.0}});
@@ -110,7 +109,7 @@ TEST(SvgMethod, OnAConvexShapeOnlyTheCompleteGraphIsExact) {
   EXPECT_GT(complete.least, -1e-9);
 }
 
-// The discrete geodesic graph: the error follows epsilon, with fewer arcs than SVG needs for it.
+// The discrete geodesic graph: the error follows epsilon, with fewer arcs than SVG needs for the same error.
 
 TEST(DggMethod, ExpectedErrorFollowsEpsilon) {
   for (const test::Soup& soup : {test::hills(40, 0.3), test::icosphere(4)}) {

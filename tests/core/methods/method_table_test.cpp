@@ -51,7 +51,7 @@ TEST(MethodTable, RefusesUnknownNamesOptionsAndValues) {
   }
 }
 
-// A sphere of radius 1 and a far one, a stray vertex, faces that come twice or lie on their side.
+// A sphere of radius 1 and a far one, an isolated vertex, repeated, flipped and zero-area faces.
 test::Soup hurt_spheres() {
   test::Soup far = test::icosphere(2);
   for (Point& point : far.positions) point[0] += 10.0;

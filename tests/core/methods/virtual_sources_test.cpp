@@ -23,7 +23,7 @@ test::ErrorStatistics errors_of(VirtualSources& runs, Index source) {
 }
 
 TEST(VirtualSources, AreExactOnAPlane) {
-  // Seen past a vertex without angle defect, a source is where it is.
+  // Seen past a vertex without angle defect, the virtual source is at the source.
   const test::Shape shape = test::plane_grid(20, 16, 1.0, 0.8, 0.2, 3);
   VirtualSources runs(test::make_mesh(shape.soup));
   const Index source = 175;
@@ -44,7 +44,7 @@ TEST(VirtualSources, GoRoundTheEndsOfASlit) {
 }
 
 TEST(VirtualSources, PassAnEdgeOfNoLengthThatAloneLeadsOn) {
-  // Two faces, one on each side of an edge that is too short to have a direction: 1 to it, 2 behind.
+  // Two faces, one on each side of an edge that is too short to have a direction: 1 to the edge, 2 behind it.
   for (int turn = 0; turn < 3; ++turn) {
     test::Soup soup;
     soup.positions = {{0.0, 0.0, 0.0}, {1e-15, 0.0, 0.0}, {0.6, 0.8, 0.0}, {-1.2, -1.6, 0.0}};

@@ -24,7 +24,7 @@ double largest_error(int half, double stretch) {
 }
 
 TEST(FastMarchingMethod, ConvergesOnAcuteAndOnObtuseTriangles) {
-  // h log h near a point source: halving the edges takes away more than a third.
+  // The error is h log h near a point source: halving the edges takes away more than a third of it.
   for (double stretch : {1.0, 3.0, 6.0}) {
     const double coarse = largest_error(20, stretch);
     const double fine = largest_error(40, stretch);
@@ -35,7 +35,7 @@ TEST(FastMarchingMethod, ConvergesOnAcuteAndOnObtuseTriangles) {
 }
 
 TEST(FastMarchingMethod, IsExactForAPlaneWave) {
-  // All vertices of one side as sources: the distance is linear, and so is the method.
+  // All vertices of one side are sources: distances are linear, and the method is exact for these.
   const auto shape = test::plane_grid(12, 9, 4.0, 3.0, 0.2, 3);
   std::vector<Index> side;
   for (Index i = 0; i <= 12; ++i) side.push_back(i);

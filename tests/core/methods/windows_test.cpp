@@ -72,7 +72,7 @@ TEST(ChenHanMethods, ChWarnsBeforeLargeMeshes) {
       std::string::npos);
 }
 
-// Merged windows: the error that the method promises, and what the tolerance buys.
+// Merged windows: the error that the method promises, and the windows that a tolerance saves.
 
 /// Distances are off by no more than eps typical edges for each edge that the shortest path crosses.
 void expect_promise(const test::Soup& soup, double eps) {
@@ -91,7 +91,7 @@ TEST(AmmpMethod, KeepsItsPromise) {
   for (double eps : {1e-4, 1e-3, 1e-2}) {
     expect_promise(test::icosphere(4), eps);
     expect_promise(test::hills(40, 0.4), eps);
-    // Faces twelve times as large as the typical one, and as small.
+    // Faces up to twelve times larger and smaller than the typical one.
     test::Soup graded = test::hills(30, 0.1);
     for (auto& [x, y, z] : graded.positions) {
       const double size = std::exp(5.0 * x);
@@ -114,7 +114,7 @@ TEST(AmmpMethod, OnTheBunnyIsOffByHundredThousandthsInTheMean) {
   EXPECT_GT(errors.least, -3e-4);
 }
 
-// The tree of windows: what order and filter spare.
+// The tree of windows: how many windows order and filter save.
 
 WindowTree tree_on(const test::Soup& soup) {
   return WindowTree(std::make_shared<const ExactGeometry>(test::make_mesh(soup)));
@@ -136,8 +136,8 @@ TEST(WindowTree, OrderAndFilterSpareWindowsButChangeNoDistance) {
 }
 
 TEST(WindowTree, IsExactWhereWaysOfTwoPagesCome) {
-  // Three faces on the edge from (0, 0) to (10, 0). From the source, a shorter way to the vertex at (9, 1)
-  // comes by the third face, but the straight line to (-4.25, 2.5) comes by the second.
+  // Three faces share the edge from (0, 0) to (10, 0). From the source, a shorter path to the vertex at (9,
+  // 1) leads over the third face, but the straight line to (-4.25, 2.5) over the second.
   enum : Index { tail, head, apex, source, beside, target, middle };
   const std::array<std::array<double, 2>, 7> at{
       {{0, 0}, {10, 0}, {9, 1}, {14.5, -5}, {9, -0.1}, {-4.25, 2.5}, {12, 0.5}}};
@@ -174,7 +174,7 @@ TEST(WindowTree, IsExactWhereWaysOfTwoPagesCome) {
 }
 
 TEST(WindowTree, IsNoLargerWhereTwoSurfacesShareEdges) {
-  // Two dented spheres that share three edges, over which each window comes to three faces.
+  // Two dented spheres that share three edges, over each of which windows pass into three faces.
   const unsigned seed = std::random_device{}();
   SCOPED_TRACE("seed " + std::to_string(seed));
   test::Soup soup = test::random_sphere(300, seed);
@@ -195,11 +195,11 @@ TEST(WindowTree, IsNoLargerWhereTwoSurfacesShareEdges) {
   const std::array<Index, 1> source{7};
   const std::vector<double> exact = exact_distance_field(mesh, source);
   tree.run(source, {.ordered = false, .filtered = false});
-  // Half of that was measured.
+  // Twice the number that was measured.
   const auto all = static_cast<double>(soup.faces.size());
   EXPECT_LT(static_cast<double>(tree.window_count()), 3.0 * all * all);
   for (Index v = 0; v < mesh->vertex_count(); ++v) {
-    if (exact[v] == unreachable) continue;  // a vertex whose place on the shared edges another has
+    if (exact[v] == unreachable) continue;  // isolated, as its copy replaces it on a shared edge
     ASSERT_NEAR(tree.distance(v), exact[v], 1e-9) << v;
   }
 }

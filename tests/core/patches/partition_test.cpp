@@ -102,8 +102,8 @@ TEST(Halo, GrowsOnBothSidesRoundAHubOfNeedles) {
   EXPECT_EQ(greatest, 2199);
 }
 
-// Colours of patches: neighbours differ, few colours suffice where few are needed, more are made where they
-// are.
+// Colours of patches: neighbours differ, few colours are used where few are enough, and more are made where
+// needed.
 
 /// Fails for each vertex at which two patches have one colour.
 void expect_neighbors_differ(const Mesh& mesh, const std::vector<Index>& patch, const PatchColoring& colors) {

@@ -1,4 +1,4 @@
-// Long border edges: unfolded for what lies behind them, unless two waves meet there.
+// Long border edges: unfolded for the vertices behind them, unless two waves meet there.
 #include "query/border_field.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ using Place = std::array<double, 2>;
 
 double apart(const Place& a, const Place& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
 
-/// A border along y = 0, with nodes at -6, -2, 2 and 6: the edge in the middle.
+/// A border along y = 0 with nodes at -6, -2, 2 and 6; the edge in question is the middle one.
 constexpr Place nodes[] = {{-6.0, 0.0}, {-2.0, 0.0}, {2.0, 0.0}, {6.0, 0.0}};
 
 LongBorderEdge middle_edge(const std::array<double, 4>& sources) {
@@ -49,8 +49,8 @@ TEST(LongBorderEdges, NothingThatIsNoShorterOrMissesTheEdge) {
 }
 
 TEST(LongBorderEdges, NotWhereTwoWavesMeet) {
-  // One wave comes along the border from the left, the other from the right; they meet in the middle, where
-  // the distance is that of the ends and half the edge. One source at these distances would be nearer.
+  // One wave comes along the border from the left, the other from the right; they meet in the middle, at the
+  // distance of the ends plus half the edge. A single source at these distances would be nearer.
   const std::array<double, 4> sources{6.0, 10.0, 10.0, 6.0};
   const Place target{0.3, 0.5};
   EXPECT_EQ(

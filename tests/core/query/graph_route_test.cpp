@@ -12,7 +12,7 @@
 namespace vorogeo {
 namespace {
 
-/// Least distance of an end from each node of the first layer, by the tables.
+/// Least distances of an end of a pair from the nodes of the first layer, by the tables.
 std::vector<double> access_distances(const IndexData& data, const RouteEnd& end) {
   std::vector<double> least(data.first.node_count(), unreachable);
   for (Index parent : end.parents) {
@@ -30,7 +30,8 @@ std::vector<double> access_distances(const IndexData& data, const RouteEnd& end)
 
 TEST(GraphRouter, FindsTheLeastOfAllSums) {
   const test::Soup two = test::two_components(test::icosphere(2), test::torus(24, 10, 2.0, 0.7));
-  // Farther from the other end of its first-layer patch than any two members of that patch are.
+  // An end of the limb is farther from the other end of its first-layer patch than any two members of that
+  // patch are apart.
   const test::Soup limb = test::plane_grid(120, 8, 12.0, 0.8, 0.2).soup;
   for (const test::Soup& soup : {test::hills(28, 0.2), two, limb}) {
     const auto index = test::make_index(soup, 6, 3, test::lossless_delta);

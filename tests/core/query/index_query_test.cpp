@@ -1,4 +1,4 @@
-// Queries of an index: the same answer however it is asked for, and the documented errors.
+// Queries of an index: the same answers in every way of asking, and errors as documented.
 
 #include <gtest/gtest.h>
 
@@ -29,9 +29,9 @@ TEST(IndexQuery, DuplicateSourcesCountOnceAndTheOrderDoesNotMatter) {
   EXPECT_EQ(field(query, {77, 300, 5}), once);
 }
 
-// Fields are the same however they are asked for.
+// Fields are the same in every way of asking.
 
-/// Points in a corner of a face, each standing for a vertex.
+/// The same vertices, each given as a point in the corner of a face.
 std::vector<ExactSource> in_corners(const Mesh& mesh, const std::vector<Index>& vertices) {
   std::vector<ExactSource> sources;
   for (Index v : vertices) {
@@ -83,7 +83,7 @@ struct Documented {
   double mean, p99, greatest;
 };
 
-/// Fields and pairs with default settings, against twice what is documented.
+/// Fields and pairs with default settings, against twice the documented errors.
 void expect_accurate(const Soup& soup, const Documented& documented, int sources) {
   VOROGEO_HEAVY_TEST();
   const auto index = test::make_index(soup);
@@ -123,8 +123,8 @@ void expect_accurate(HostileBase base, const Documented& documented) {
   expect_accurate(mesh.soup, documented, 6);
 }
 
-// A clone alone has these: CAD parts, needles, a city, a coarse sphere, and the bases of hostile meshes,
-// rough, with long thin faces, of high genus (docs/figures.md).
+// Meshes that are generated, so that a clone has them: CAD parts, needles, a city, a coarse sphere, and bases
+// of hostile meshes, rough, with long thin faces, of high genus (docs/figures.md).
 TEST(IndexQueryAccuracy, DrilledPlate) {
   expect_accurate(test::drilled_plate(6, 6, 0.6, 1), {0.0069, 0.055, 0.18}, 6);
 }

@@ -26,7 +26,7 @@ std::shared_ptr<const GeodesicIndex> plane_index() {
   return index;
 }
 
-/// Two lists of as many points.
+/// Two lists of equal length.
 struct Pairs {
   std::vector<SurfacePoint> sources;
   std::vector<SurfacePoint> targets;
@@ -65,7 +65,7 @@ Pairs mixed(int count) {
   return pairs;
 }
 
-/// One source with more targets than a corridor for each is worth, amid pairs of other sources.
+/// One source with so many targets that one propagation beats a corridor for each, among other pairs.
 Pairs from_one_source(const SurfacePoint& source) {
   Pairs pairs = mixed(30);
   for (unsigned i = 0; i < 130; ++i) {
@@ -92,7 +92,7 @@ std::vector<double> distances(Surface& surface, const Pairs& pairs, Answer metho
   return found;
 }
 
-/// `error`: relative to the distance.
+/// Expects the distances of a plane. `error`: relative to the distance.
 void expect_straight(const std::vector<double>& found, const Pairs& pairs, double error) {
   ASSERT_EQ(found.size(), pairs.size());
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -195,8 +195,8 @@ TEST(ManyPairs, LandmarksBoundManyExactPathsFromTheIndex) {
 }
 
 TEST(ManyPairs, WhereTheMetricJumpsOnePropagationServesASource) {
-  // Cost 1 left of x = 1, cost 3 right of it: along a line across the border the costs add up, and at the
-  // border the way goes along the cheap side.
+  // Cost 1 left of x = 1, cost 3 right of it: on a line straight across the border the costs add up, and
+  // along the border the path takes the cheap side.
   const test::Soup soup = test::plane_grid(4, 4, 2.0, 2.0).soup;
   std::vector<double> cost;
   for (const auto& face : soup.faces) {

@@ -79,7 +79,7 @@ TEST(PathStrip, ThereIsNoWayPastABorderButTheOther) {
 }
 
 TEST(PathLine, TakesOutFacesLeftAtOnce) {
-  // Flat, so that whatever detours the strip makes, the line is straight.
+  // The disc is flat, so that the line is straight whatever detours the strip makes.
   const test::Shape disc = test::cone(8, 1, 2.0 * std::numbers::pi, 1.0);
   const auto mesh = test::make_mesh(disc.soup);
   const ExactGeometry geometry(mesh);
@@ -99,7 +99,7 @@ TEST(PathLine, TakesOutFacesLeftAtOnce) {
 }
 
 TEST(PathLine, IsTheSameWhicheverWayFacesAreTurned) {
-  // It begins at a vertex of the first two faces of its strip, so that the first is taken out.
+  // The line begins at a vertex of the first two faces of its strip, so that the first face is taken out.
   test::Shape disc = test::cone(8, 1, 2.0 * std::numbers::pi, 1.0);
   const auto faces = disc.soup.faces;
   for (std::size_t turned = 0; turned < std::size_t{1} << faces.size(); ++turned) {
@@ -131,7 +131,7 @@ TEST(PathLine, IsTheSameWhicheverWayFacesAreTurned) {
 
 // Strips whose shortest lines are known, and walks around vertices.
 
-/// The strip of faces around the apex of a cone, from the vertex at the rim of sector 0 on.
+/// The strip of `faces` further faces around the apex of a cone, from the face of sector 0 on.
 FaceStrip strip_around(const Mesh& mesh, Index apex, int faces) {
   FaceStrip strip;
   const auto corners = mesh.corners(apex);
@@ -160,7 +160,7 @@ TEST(PathLine, PassesTheApexOfAWideFan) {
     strip.target = middle(strip.last());
     PathLine line(geometry);
     line.assign(strip);
-    // From the middle of one rim edge to another: straight up to three faces on, then through the centre.
+    // From the middle of one rim edge to that of another: straight up to three faces on, else by the apex.
     const double height = std::sqrt(0.75);
     const double straight =
         faces <= 3 ? 2.0 * height * std::sin(faces * std::numbers::pi / 6.0) : 2.0 * height;
@@ -173,7 +173,7 @@ TEST(PathLine, PassesTheApexOfAWideFan) {
 }
 
 TEST(PathRefiner, GoesRoundTheOtherSide) {
-  // Five faces one way round a cone's apex, one the other way: the refiner moves there.
+  // Five crossings one way round a cone's apex, one the other way: the refiner moves the strip to that side.
   const auto mesh = test::make_mesh(test::cone(6, 1, 2.0 * std::numbers::pi * 0.8, 1.0).soup);
   const ExactGeometry geometry(mesh);
   FaceStrip strip = strip_around(*mesh, 0, 3);
@@ -201,8 +201,8 @@ TEST(PathRefiner, GoesRoundTheOtherSide) {
   EXPECT_EQ(test::path_fault(*mesh, refiner.path(), from, to), "");
 }
 
-/// A flat strip that narrows in steps to a gate of 1e-8 and widens again, and is turned in space. The
-/// straight line of length 2 from vertex 0 to the last passes the middle.
+/// A flat strip that narrows in steps to a gate of 1e-8 and widens again, rotated in space. The straight line
+/// of length 2 from vertex 0 to the last vertex passes through the middle of the gate.
 test::Soup hourglass() {
   const double heights[] = {1.0, 1e-4, 1e-8, 1e-4};
   const double places[] = {-0.5, -1e-4, 0.0, 1e-4};

@@ -1,4 +1,4 @@
-// Paths on meshes that are hard for them, and what is certified.
+// Paths on meshes that are hard for them, and which paths are certified.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -66,8 +66,8 @@ TEST(MeshPath, IsNotCertifiedBesideAnEdgeOfMoreDigitsThanThereAre) {
   }
 }
 
-// Certified paths where edges have no or negligible length or are doubled, or faces have no area: what is
-// certified is a path, and the shortest.
+// Certified paths where edges have no or negligible length or are doubled, or faces have no area: a certified
+// path is a path, and the shortest.
 //
 // VOROGEO_CERTIFIED_PAIRS: how many pairs in all (by default some hundred for each mesh and defect).
 
@@ -165,7 +165,7 @@ TEST(CertifiedPaths, AreShortestPaths) {
       }
     }
   }
-  // Not every path has to be, but exceptions are for degenerate faces.
+  // Not every path has to be certified, but exceptions are only for degenerate faces.
   EXPECT_GE(all.certified, all.pairs - all.pairs / 500);
   RecordProperty("pairs", all.pairs);
   RecordProperty("certified", all.certified);

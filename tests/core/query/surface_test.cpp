@@ -1,4 +1,4 @@
-// A surface answers as is best, says by what, and builds an index when exact answers took as long.
+// A surface chooses what answers, says what did, and builds an index once exact answers have taken as long.
 #include "query/surface.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ TEST(Surface, AFieldThatReachesASmallPartIsExactAlthoughThereIsAnIndex) {
   const test::Shape plane = test::plane_grid(24, 24, 3.0, 3.0, 0.2);
   Surface surface(test::make_index(plane.soup, 3, 3), 1);
   Answered answered;
-  // Of an area of 9 a disk of radius 0.3 covers a thirtieth, and one of 1.0 a third.
+  // A disk of radius 0.3 covers a thirtieth of the area of 9, a disk of radius 1.0 a third.
   const LabelledField small = surface.field(from_vertices({300}), 0.3, Answer::automatic, answered);
   EXPECT_EQ(answered.by, Answer::exact);
   for (Index v = 0; v < static_cast<Index>(plane.soup.positions.size()); ++v) {

@@ -25,7 +25,7 @@ TEST(BucketQueue, ItemsLeaveInTheOrderOfTheirBucketsEachOnce) {
   BucketQueue queue;
   queue.resize(3000);
   std::mt19937 random(4);
-  // Up to eighty times as many buckets as a wheel has.
+  // Keys over up to eighty times as many buckets as a wheel has.
   std::uniform_real_distribution<double> key(0.0, 10240.0);
   queue.reset(0.5);
   std::vector<double> key_of(3000);
@@ -43,7 +43,7 @@ TEST(BucketQueue, ItemsLeaveInTheOrderOfTheirBucketsEachOnce) {
 }
 
 TEST(BucketQueue, ALimitKeepsItemsOfLaterBuckets) {
-  // Taken in steps: an item leaves in the step in which its bucket begins, and what comes late leaves first.
+  // Items are taken in steps: each in the step in which its bucket begins, and late ones first.
   BucketQueue queue;
   queue.resize(3001);
   queue.reset(0.5);
@@ -72,7 +72,7 @@ TEST(BucketQueue, ALimitKeepsItemsOfLaterBuckets) {
 }
 
 TEST(BucketQueue, ABucketThatIsNeverDoneGetsToItsOldestItem) {
-  // Each item taken adds another of the same bucket: last in, first out would never come back to item 0.
+  // Each item taken adds another to the same bucket: last in, first out alone would never return to item 0.
   BucketQueue queue;
   queue.resize(3);
   queue.reset(1.0);
@@ -103,7 +103,7 @@ TEST(BucketQueue, OnceAnItemHasComeBackToItsBucketOthersThereAreTakenInTheOrderO
   BucketQueue queue;
   queue.resize(5);
   queue.reset(1.0);
-  // The same in every run, whatever was taken in those before.
+  // The order is the same in every run, whatever earlier runs have taken.
   for (int run = 0; run < 3; ++run) {
     queue.push(0, 3.5);
     EXPECT_EQ(queue.pop(), 0);
@@ -190,15 +190,15 @@ TEST(BucketQueue, MemoryStaysThatOfTheEntriesHoweverOftenItIsUsed) {
 }
 
 TEST(BucketQueue, GivesWhatASortedListGivesWhateverTheWidthsLimitsAndLateKeys) {
-  // The pattern of solvers that share a run: items up to a limit are taken, each adds others at distances of
-  // all scales; then others come from elsewhere, also below what was taken, and the limit moves on.
+  // The pattern of solvers that share a run: items up to a limit are taken, and each adds others at distances
+  // of all scales; then others come from elsewhere, also with keys below those taken, and the limit moves on.
   const unsigned seed = std::random_device{}();
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937_64 random(seed);
   auto uniform = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
   };
-  int taken_before = 0;  // of crowded buckets, items that the queue would not have given yet
+  int taken_before = 0;  // items of crowded buckets that were taken before their turn
   for (int round = 0; round < 200; ++round) {
     BucketQueue queue;
     queue.resize(150);
@@ -228,7 +228,7 @@ TEST(BucketQueue, GivesWhatASortedListGivesWhateverTheWidthsLimitsAndLateKeys) {
       limit = std::max(limit, queue.least_key() < unreachable ? queue.least_key() : 0.0) +
               width * std::exp(uniform(-3.0, spread));
       for (Index item = queue.pop(limit); item != no_index; item = queue.pop(limit)) {
-        // What was put off and then taken before others comes once more.
+        // An item that was put off and then taken before its turn comes once more.
         if (const bool was_put_off = put_off.erase(item) > 0; !expected.contains(item)) {
           ASSERT_TRUE(was_put_off);
           continue;
@@ -308,7 +308,7 @@ TEST(BucketQueue, ItemsThatAreDueMayBeTakenBeforeOneThatWasTaken) {
   EXPECT_FALSE(queue.is_due(0));
   EXPECT_FALSE(queue.is_due(1));
   EXPECT_LE(queue.least_key(), 0.5);
-  // What is added to an item that was put off does not bring it back twice.
+  // An item that was put off and is pushed again comes back only once.
   queue.push(0, 0.6);
   EXPECT_EQ(queue.pop(), 0);
   EXPECT_EQ(queue.pop(0.0), 2);

@@ -1,4 +1,4 @@
-// What tests are made of: shapes with their formulas, slow references, checkers, hostile meshes.
+// The tools of tests: shapes with their formulas, slow references, checkers, hostile meshes.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -35,7 +35,7 @@ void expect_formula_holds(const Shape& shape) {
   }
 }
 
-/// The same from points inside faces and on edges.
+/// The same for points inside faces and on edges.
 void expect_formula_holds_from_points(const Shape& shape) {
   const auto mesh = make_mesh(shape.soup);
   const ExhaustiveGeodesics exact(*mesh);
@@ -142,7 +142,7 @@ TEST(SubdividedGraph, BoundsClosedFormsFromAbove) {
 }
 
 TEST(SubdividedGraph, TightenedPathsAreStraightAcrossAStrip) {
-  // One row of cells: the path crosses every edge between, and there is one strip only.
+  // One row of cells: the path crosses every inner edge, and there is only one strip of faces.
   const Shape strip = plane_grid(12, 1, 12.0, 1.0);
   const SubdividedGraph graph(strip.soup, 0, 3);
   const Index corner = static_cast<Index>(strip.soup.positions.size()) - 1;

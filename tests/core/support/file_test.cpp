@@ -21,12 +21,12 @@
 
 namespace {
 
-/// What the next calls of posix_fallocate answer instead of reserving; 0: they reserve.
+/// The error that the next calls of posix_fallocate return instead of reserving; 0: they reserve.
 int refusal = 0;
 
 }  // namespace
 
-/// Takes the place of the system's, as a file system may refuse for many reasons.
+/// Replaces the system's function, to try the many reasons for which a file system may refuse.
 extern "C" int posix_fallocate(int descriptor, off_t begin, off_t size) {
   if (refusal != 0) return refusal;
   return ::fallocate(descriptor, 0, begin, size) == 0 ? 0 : errno;
@@ -72,7 +72,7 @@ TEST(FileSpace, IsTakenOrNoneOfIt) {
   struct statvfs disk {};
   ASSERT_EQ(::fstatvfs(file, &disk), 0);
   const std::uint64_t left = disk.f_frsize * (::geteuid() == 0 ? disk.f_bfree : disk.f_bavail);
-  // Behind what the file has, half of that more than the disk has left.
+  // The request begins behind what the file has, and exceeds the free space by half of that.
   refusal = EFBIG;
   const int error = reserve_space(file, held, left + held / 2);
   refusal = 0;

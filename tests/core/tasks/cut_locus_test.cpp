@@ -1,5 +1,5 @@
-// Cut loci: lines on paper, the topology of closed surfaces, and what is refused. Texture coordinates, which
-// they bound.
+// Cut loci: on folded paper, the topology of closed surfaces, and what is refused. Texture coordinates, which
+// cut loci bound.
 #include "tasks/cut_locus.h"
 
 #include <gtest/gtest.h>
@@ -207,7 +207,7 @@ TEST(TextureCoordinates, RoundATipAreCompressedByItsAngle) {
   const auto soup = test::cone(sectors, 5, total, 1.0).soup;
   Surface surface(test::make_mesh(soup));
   const auto found = texture_coordinates(surface, SurfacePoint::at_vertex(0), {.radius = 0.5}, {});
-  // A sector of the picture is wider than that of the cone.
+  // A sector of the picture is wider than the sector of the cone that it covers.
   const double half = 0.5 * total / sectors, half_picture = pi / sectors;
   for (std::size_t f = 0; f < soup.faces.size(); ++f) {
     if (soup.faces[f][0] != 0) continue;

@@ -69,8 +69,8 @@ TEST(LogMap, OfThePointItselfIsZero) {
   }
 }
 
-/// By how many degrees two log maps of one point differ at most, but for a tenth of what both reach: beside
-/// the cut locus two paths are almost equally long. What only one of them reaches is an error.
+/// By how many degrees two log maps of one point differ at most, without the worst tenth: beside the cut
+/// locus two paths are almost equally long. A vertex that only one of the maps reaches is a failure.
 double angle_of_most(const LogMap& found, const LogMap& exact) {
   std::vector<double> angles;
   for (std::size_t i = 0; i < exact.vector.size(); ++i) {
@@ -89,7 +89,7 @@ double angle_of_most(const LogMap& found, const LogMap& exact) {
 const TaskOptions by_index{Answer::index};
 
 TEST(LogMap, FromAnIndexIsNearTheExactOne) {
-  // The index numbers faces and vertices anew, so its angles begin elsewhere, and faces are flipped here.
+  // The index renumbers faces and vertices, so its angles begin elsewhere; faces are flipped here as well.
   for (const test::Soup& soup :
        {test::with_flipped_faces(test::torus(90, 44, 2.0, 0.7), 7), test::hills(60, 0.3),
         test::two_components(test::icosphere(4), test::icosphere(3))}) {
@@ -98,9 +98,9 @@ TEST(LogMap, FromAnIndexIsNearTheExactOne) {
     for (const std::size_t i : {1, 2, 5, 6}) {
       const LogMap exact = log_map(surface, points[i], {}, unreachable, {});
       const LogMap found = log_map(surface, points[i], {}, unreachable, by_index);
-      // Directions come in steps as wide as the pieces of borders are seen; patches have 130 vertices here.
+      // Directions come in steps as wide as pieces of borders are seen; patches here have 130 vertices.
       EXPECT_LT(angle_of_most(found, exact), 2.5) << points[i].face << " " << points[i].vertex;
-      // Targets in faces lie between the corners of these.
+      // Directions of targets in faces lie between those of the corners.
       const PointList ends(points);
       const LogMap few = log_map(surface, points[i], ends, unreachable, by_index);
       for (std::size_t k = 0; k < points.size(); ++k) {
@@ -137,7 +137,7 @@ TEST(LogMap, FromAnIndexOfAPlaneHasTheDirectionsOfStraightLines) {
 }
 
 TEST(LogMap, FromAnIndexHasADirectionWhereTablesContradictEachOther) {
-  // Needles in small patches: distances of some border nodes follow from one another in a circle.
+  // Needles in small patches: distances of some border nodes depend on each other in a cycle.
   test::Soup soup = test::icosphere(3);
   for (Point& position : soup.positions) position[2] *= 100.0;
   const auto seed = std::random_device{}();

@@ -96,7 +96,7 @@ TEST(CurveSources, BadSpacingsAreRefused) {
     EXPECT_THROW(sources_along_edges(*mesh, edges, spacing), InvalidInput) << spacing;
     EXPECT_THROW(points_between({0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, spacing), InvalidInput) << spacing;
   }
-  // Each edge alone would have fewer than ten million points, all together have more.
+  // No edge alone would have ten million points, but all together would have more.
   EXPECT_THROW(sources_along_edges(*mesh, edges, 3e-7), InvalidInput);
 }
 

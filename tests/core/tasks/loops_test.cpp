@@ -24,7 +24,7 @@ Surface surface_on(const test::Soup& soup) {
   return Surface(std::make_shared<const Mesh>(soup.positions, soup.faces));
 }
 
-/// Closed, over faces, and as long as its points say.
+/// Expects a loop that is closed, runs over faces, and is as long as its steps.
 void expect_closed(const Surface& surface, const SurfacePath& loop) {
   EXPECT_TRUE(is_same_point(*surface.mesh(), loop.points.front(), loop.points.back()));
   EXPECT_NEAR(measured_length(*surface.mesh(), loop.points).length, loop.length, 1e-12 * loop.length);
@@ -42,7 +42,7 @@ TEST(Loops, OfABoxAreItsGirthsHoweverItsFacesAreTurned) {
         normal[axis] = 1.0;
         const double around = 2.0 * (6.0 - (axis + 1.0));
         const double place = position_of(*surface.mesh(), point)[axis] / (axis + 1.0);
-        if (place < 0.15 || place > 0.85) continue;  // there, the plane cuts corners off
+        if (place < 0.15 || place > 0.85) continue;  // there, the plane cuts off corners of the box
         const Girth found = girth(surface, point, normal);
         EXPECT_GE(found.section.length, around);
         EXPECT_NEAR(found.tape_length, found.section.length, 1e-12);
@@ -61,7 +61,7 @@ TEST(Loops, ThroughAPointOfATorusAreAsShortAsItsTube) {
        {SurfacePoint::at_vertex(5), SurfacePoint::at_vertex(700), SurfacePoint::in_face(99, {0.2, 0.3, 0.5}),
         SurfacePoint::in_face(1000, {0.5, 0.5, 0.0})}) {
     const ExactPath loop = shortest_loop(surface, point, {});
-    EXPECT_LE(loop.path.length, tube * 1.001);  // in a face, it also runs between the rings of vertices
+    EXPECT_LE(loop.path.length, tube * 1.001);  // through a point in a face, between rings of vertices
     EXPECT_GE(loop.path.length, tube * std::cos(pi / 48.0));
     EXPECT_TRUE(is_same_point(*surface.mesh(), loop.path.points.front(), point));
     expect_closed(surface, loop.path);

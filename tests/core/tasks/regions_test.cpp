@@ -113,14 +113,14 @@ TEST(DividedFaces, ASiteInsideADearFaceOwnsWhatIsNearIt) {
         query.distances(std::array{ExactSource{sites[0]}}, at, unreachable, Answer::exact)[0];
     const double second =
         query.distances(std::array{ExactSource{sites[1]}}, at, unreachable, Answer::exact)[0];
-    // A part of a dear face has sides of 1.25 and 1.8, over which differences are interpolated.
+    // Differences are interpolated over parts of a dear face, with sides of 1.25 and 1.8 in the metric.
     EXPECT_NEAR(first, second, 0.5) << place[0] << ' ' << place[1];
   }
 }
 
 TEST(DividedFaces, BordersInADearFaceAreWherePathsFromBothSidesMeet) {
   const DearCell cell;
-  // On both sides of the dear cell at equal distances: by symmetry the border is the line x + y = 5.
+  // Sites on both sides of the dear cell, equally far: by symmetry the border is the line x + y = 5.
   const std::vector<Index> sites{0, static_cast<Index>(cell.soup.positions.size()) - 1};
   Surface surface(cell.mesh, {.threads = 1});
   const VoronoiRegions found = voronoi_regions(surface, sites, {.by = Answer::exact});

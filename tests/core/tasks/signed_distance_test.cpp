@@ -24,7 +24,7 @@ namespace {
 
 using Curve = std::vector<SurfacePoint>;
 
-/// What is promised of distances, in typical edges.
+/// The promised error of distances, in typical edges.
 constexpr double precision = 1.4e-6;
 
 double tolerance_on(const Surface& surface) { return precision * surface.mesh()->typical_edge_length(); }
@@ -92,7 +92,7 @@ TEST(SignedDistance, FromARingRoundATubeIsTheHeight) {
   const auto soup = test::prism(7, 3, 9, 0.6, 3.0, 0.3).soup;
   Surface surface(test::make_mesh(soup));
   const Mesh& mesh = *surface.mesh();
-  // Where the plane z = 1 crosses edges: both sides have a border, and the lower one is smaller.
+  // The curve lies in the plane z = 1: both sides have a border, and the lower one is smaller.
   std::vector<double> heights;
   for (const Point& p : soup.positions) heights.push_back(p[2]);
   const CutMesh cut = cut_at_levels(mesh, heights, std::vector{1.0}, Interpolation::linear);

@@ -104,8 +104,8 @@ TEST(RelaxPoints, OnePointMovesToTheMiddleOfASquare) {
   const RelaxedPoints found = relax_points(surface, std::array<Index, 1>{0}, 20, {.by = Answer::exact});
   ASSERT_EQ(found.points.size(), 1U);
   EXPECT_EQ(found.points[0], SurfacePoint::at_vertex(5 * 11 + 5));
-  // The integral of the squared distance from a corner is 2/3, from the middle 1/6; vertices stand for their
-  // faces, which makes an error of the order of a squared cell.
+  // The integral of the squared distance from a corner is 2/3, from the middle 1/6. It is summed over
+  // vertices, with an error of the order of a squared cell.
   EXPECT_NEAR(found.energy.front(), 2.0 / 3.0, 0.01);
   EXPECT_NEAR(found.energy.back(), 1.0 / 6.0, 0.01);
   EXPECT_LT(found.energy.size(), 10U) << "it ends when nothing moves";
