@@ -14,7 +14,7 @@ from vorogeo import brain
 
 
 def border_lines(vertices: np.ndarray, faces: np.ndarray, labels: np.ndarray) -> vorogeo.Polylines:
-    """Lines between labels: from the middle of an edge straight through a face, three meeting in its centre."""
+    """Lines between labels: straight through a face from the middle of an edge; three labels meet in its centre."""
     begin, end = [], []
     for k in range(3):
         a, b, c = np.roll(faces, k, axis=1).T

@@ -1,4 +1,4 @@
-"""Where shortest paths from a point on the far side come from different sides; writes a picture.
+"""The cut locus of a point: where, on the far side, shortest paths arrive from different sides; writes a picture.
 
 Usage: python samples/cut_locus.py [MESH]      (needs samples/setup.sh once; writes samples/out/cut_locus.png)
 """

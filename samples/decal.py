@@ -43,8 +43,8 @@ mesh = mesh_set.current_mesh()
 vertices, faces = mesh.vertex_matrix(), mesh.face_matrix()
 size = np.ptp(vertices, axis=0).max()
 
-# The picture is two thirds as wide as the disk, which so reaches beyond its corners. Once to learn the angle of the
-# direction to the right, then turned by that.
+# The picture is two thirds as wide as the disk, so that the disk reaches beyond its corners. The filter runs once to
+# learn the angle of the direction to the right, and again to turn the picture by it.
 disk = {
     "start_point": vertices.mean(axis=0) + np.ptp(vertices, axis=0) * [0.22, 0.08, 1],
     "radius": pymeshlab.PureValue(0.27 * size),

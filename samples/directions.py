@@ -16,7 +16,7 @@ vertices, faces = mesh.vertex_matrix(), mesh.face_matrix()
 surface = vorogeo.Surface(vertices, faces)
 point = surface.snap(vertices.mean(axis=0) + np.ptp(vertices, axis=0) * [0, 0.1, 1])
 
-# Of the corners of each face, as seen from the point: the angle as a hue, rings of distance darker and lighter.
+# The faces as seen from the point: the angle of each as a hue, its distance as darker and lighter rings.
 vector, distance = surface.log_map(point, return_distance=True)
 print(f"{surface.last.seconds:.2f} s for the directions of all {len(vertices)} vertices")
 angle = np.arctan2(vector[:, 1], vector[:, 0])

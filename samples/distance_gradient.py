@@ -22,12 +22,12 @@ print(f"{surface.last.seconds:.2f} s for {len(targets)} paths, which {len(np.uni
 gradient = np.zeros_like(vertices)
 np.add.at(gradient, found.vertices, found.values / len(targets))
 
-# Against the difference that a small change of all vertices makes.
+# Compared with the difference that a small move of all vertices makes.
 change = 1e-7 * size * np.random.default_rng(1).normal(size=vertices.shape)
 moved = vorogeo.Surface(vertices + change, faces).distance(source, targets, method="exact").mean()
 print(f"predicted {(gradient * change).sum():.6e}, measured {moved - found.distances.mean():.6e}")
 
-# By colours the part along the normals, in the mean over some rings of vertices: red where paths become shorter.
+# Colours: the component along the normals, averaged over some rings of vertices; red where paths become shorter.
 outwards = (gradient * mesh.vertex_normal_matrix()).sum(axis=1)
 a, b = np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]).T
 count = 1 + np.bincount(a, minlength=len(vertices)) + np.bincount(b, minlength=len(vertices))

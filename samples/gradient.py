@@ -16,7 +16,7 @@ size = np.ptp(vertices, axis=0).max()
 sources = surface.sample_farthest(8).vertices
 places = np.setdiff1d(surface.sample_poisson_disk(0.025 * size), sources)
 
-# Vectors of length 1 in the frames of the places, of exact distances; a straight line along each.
+# Gradients of the exact distance, of length 1, in the frames of the places; and a straight line along each.
 away = surface.gradient(sources, places)
 print(f"{surface.last.seconds:.2f} s for the gradient at {len(places)} places")
 steps = np.linspace(0, 0.02 * size, 5)

@@ -42,11 +42,11 @@ for name, path in (("there", there), ("back", back)):
     on_map = np.hypot(steps[:, 0], steps[:, 1])
     print(f"{name}: {on_map.sum() / 1000:.1f} km on the map, {np.maximum(steps[:, 2], 0).sum():.0f} m of ascent")
 
-# A grid at the same speed each way would say the same time twice: that is the mean, and wrong by so much.
+# At one speed for both ways, both would take their mean: each way differs from that by so much.
 difference = np.abs(hours[0] - hours[1]) / np.maximum(hours[0] + hours[1], 1e-9)
 print(f"each way differs from the mean of both by {100 * difference.mean():.0f} % on average")
 
-# Which hut is reached first, and from which one is back first.
+# Which hut a place reaches first, and from which hut one is back first.
 huts = [int(row * SIZE + column) for row, column in ((22, 30), (35, 100), (95, 20), (105, 95))]
 regions = [surface.voronoi(huts, to=to) for to in (True, False)]
 moved = (regions[0].vertex_region != regions[1].vertex_region).mean()
@@ -65,7 +65,7 @@ for axis, field, path, title in zip(axes[:2], hours, (there, back), titles, stri
     axis.plot(path.points[:, 0], path.points[:, 1], color="crimson", linewidth=1.8)
     axis.plot(*vertices[[valley, summit], :2].T, "o", color="crimson", markersize=4)
     axis.set_title(title, fontsize=10)
-# Where borders are the same, the wide line is seen on both sides of the other.
+# Where both borders coincide, the wide line shows on both sides of the narrow one.
 kinds = (("crimson", 3, "first hut to reach"), ("navy", 1, "first back from it"))
 for found, (color, width, name) in zip(regions, kinds, strict=True):
     lines = np.concatenate([[*found.borders.points[edge, :2], [np.nan] * 2] for edge in found.borders.edges])

@@ -32,7 +32,7 @@ best = surface.medoid(points)
 for name, centre in [("mean", mean), ("median", median), ("medoid", points[best])]:
     distance = surface.distance(points, centre)
     print(f"{name}: sum of distances {distance.sum():.5g}, of their squares {(distance**2).sum():.5g}")
-# By colours the sum that is least at the mean, with the paths from there.
+# Colours: the root of the sum of squares, which is least at the mean; with the paths from there.
 squares = (surface.fields(points, method="exact") ** 2).sum(axis=0)
 picture.draw(
     "samples/out/means.png",

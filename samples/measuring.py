@@ -1,4 +1,4 @@
-"""Girths along a body, as a tape measure and the surface have them, a path through landmarks and its profile.
+"""Girths along a body, by tape measure and along the surface, the profile of a path, and a path through landmarks.
 
 Usage: python samples/measuring.py [MESH]      (needs samples/setup.sh once; writes samples/out/measuring.png, its
 profile as measuring.csv and measuring-profile.png)
@@ -39,7 +39,7 @@ rows[-1].set_xlabel("length along the path")
 figure.savefig(out / "measuring-profile.png")
 print(f"from end to end {spine.length:.4g}, heights from {profile.height.min():.4g} to {profile.height.max():.4g}")
 
-# Round the body at places along it. Each plane is the one of the shortest section there.
+# Girths at places along the body, each in the plane of the shortest section there.
 print(f"{'along':>10} {'section':>10} {'tape':>10} {'loop':>10}")
 lines = [spine]
 for along in np.linspace(0, spine.length, STATIONS + 2)[1:-1]:
@@ -54,7 +54,7 @@ for along in np.linspace(0, spine.length, STATIONS + 2)[1:-1]:
     if girth.loop.length > 0:
         lines.append(girth.loop)
 
-# Round through landmarks, in their order and back to the first.
+# A closed path through landmarks, in their order and back to the first.
 landmarks = surface.sample_farthest(4, start=surface.extent().ends).vertices
 tour = surface.path_through(landmarks, closed=True)
 print(f"through {landmarks.tolist()} and back: {tour.length:.4g}, proven to be shortest: {tour.certified}")

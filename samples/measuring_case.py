@@ -15,7 +15,7 @@ import numpy as np
 import picture
 import vorogeo
 
-#: The scan counts in quarters of a metre.
+#: The unit of the scan is a quarter of a metre.
 CENTIMETRES = 25
 #: Landmarks are vertices; the window shows their numbers.
 BACK = {"muzzle": 1396, "crown": 3199, "nape": 14689, "back": 3159, "tail": 11866}

@@ -14,7 +14,7 @@ mesh = mesh_set.current_mesh()
 out = Path(__file__).parent / "out"
 out.mkdir(exist_ok=True)
 
-# 20 patches, each split into about 5: the index with these patches is then the one of this mesh.
+# 20 patches, each split into about 5: from then on, the index with these patches is that of the mesh.
 index = mesh_set.compute_geodesic_index_by_vorogeo(n1=20, n2=5)
 print(f"{index['first_layer_patches']} and {index['second_layer_patches']} patches")
 mesh_set.compute_color_by_vorogeo_patches_per_face(layer=1)

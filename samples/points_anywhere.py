@@ -26,7 +26,7 @@ print(f"the filter says the same: {np.allclose(by_filter['distances'], matrix.ra
 distance, place = index.nearest(points, [0, points[:2]], k=3)  # a vertex and two of the points
 print("nearest of vertex 0 and of the first two points:", place.tolist())
 
-# Their regions, and the distance from a curve on the surface and, with a start of its own, from one of the points.
+# Their regions, and the distance from a curve on the surface and, with an offset, from one of the points.
 regions = index.voronoi(points)
 path = index.path(0, len(vertices) // 2)
 curve = path.surface_points

@@ -24,7 +24,7 @@ print(f"memory needed: about {index.pairs_within_bytes(samples, 2 * radius) / 2*
 graph = index.pairs_within(samples, 2 * radius)
 print(f"{graph.nnz // 2} pairs, {graph.nnz / len(samples):.1f} neighbours each on average")
 
-# The three samples nearest to some vertices: distances and places in the list of samples.
+# The three samples nearest to some vertices: distances, and positions in the list of samples.
 distances, places = index.nearest(samples, [0, 1, 2], k=3)
 print(f"nearest to vertex 0: {samples[places[0]].tolist()} at {np.round(distances[0], 4).tolist()}")
 

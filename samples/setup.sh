@@ -68,7 +68,7 @@ if [ "$with_tests" = yes ]; then
   packages+=(libgtest-dev clang-format g++-aarch64-linux-gnu debootstrap)
 fi
 if [ "$with_older" = yes ]; then
-  packages+=(maven clang-16 libc++-16-dev)  # brings CPython for Windows; what compiles as on macOS
+  packages+=(maven clang-16 libc++-16-dev)  # Maven brings CPython for Windows; libc++ is macOS's library
 fi
 if [ "$for_bench" = yes ]; then
   packages+=(libcgal-dev linux-perf)

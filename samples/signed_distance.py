@@ -1,4 +1,4 @@
-"""Distances from a closed curve by side, and offsets of it; writes a picture.
+"""Signed distances from a closed curve, and its offsets; writes a picture.
 
 Usage: python samples/signed_distance.py [MESH]  (after samples/setup.sh; writes samples/out/signed_distance.png)
 """

@@ -18,7 +18,7 @@ up = surface.tangent_frames(middle)[0, :2, 1]
 ends = surface.exp_map(middle, np.outer([-0.22, 0.22], up / np.linalg.norm(up)) * size.max())
 guide = surface.path(ends[0], ends[1])
 
-# Places along the guide, and across it: the gradient of the distance from its beginning, turned by a right angle.
+# Places along the guide; across it leads the gradient of the distance from its start, turned by a right angle.
 places = surface.points_along(guide, np.linspace(0.02, 1, 24))
 along = surface.gradient(ends[0], places)
 across = np.column_stack([-along[:, 1], along[:, 0]])

@@ -424,7 +424,7 @@ void expect_least(const Window& old, const Window& fresh) {
     const double x = std::clamp(k / 64.0, 1e-6, 1.0 - 1e-6);
     const double least = std::min(old.distance(x), fresh.distance(x));
     const double length = std::abs(old.source_x) + old.source_y + std::abs(fresh.source_x) + fresh.source_y;
-    // Windows that tie at an end of the edge may be swapped where they differ by no more than this.
+    // Windows that tie at an end of the edge may be swapped up to this difference.
     const double tied = 1e-12 * std::max(old.distance(1.0), old.distance(0.0));
     ASSERT_LE(value_at(list, x), least + 1e-9 * (old.offset + fresh.offset + length) + tied) << "at " << x;
   }

@@ -1,4 +1,4 @@
-// Bounds by landmarks: never above the exact distance, and equal to it at landmarks.
+// Bounds by landmarks: never above the exact distance, equal to it between landmarks, 0 out of their reach.
 #include "exact/exact_landmarks.h"
 
 #include <gtest/gtest.h>

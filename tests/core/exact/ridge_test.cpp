@@ -71,11 +71,10 @@ class RidgeOf : public testing::Test {
     return false;
   }
 
-  /// Expects that a surface without the ridge and its border is one open disk for each source; or several,
-  /// which touch at vertices that shortest paths pass: at the border, where another source is equally near;
-  /// and along a sharp edge, where the part that is reached over the edge is no wider than rounding. A line
-  /// that goes on along the border from there separates nothing. \pre The surface is connected, without
-  /// isolated vertices.
+  /// Expects one open disk for each source where the ridge and the border are taken off; or several, which
+  /// touch at vertices that shortest paths pass: at the border, where another source is equally near; and
+  /// along a sharp edge, where the part reached over the edge is no wider than rounding. A line that goes on
+  /// along the border from there separates nothing. \pre The surface is connected, without isolated vertices.
   void expect_disks(const Mesh& mesh, const Ridge& ridge, const std::vector<SurfacePoint>& sources) {
     const std::string name = "seed " + std::to_string(seed_);
     const auto count = [](std::size_t number) { return static_cast<std::ptrdiff_t>(number); };
@@ -466,8 +465,7 @@ TEST_F(RidgeOf, ABoxIsWhereTwoUnfoldedPathsAreEqual) {
     ++looked_at;
     const double here = box.distance(source, ridge.points[p]);
     EXPECT_NEAR(ridge.distance[p], here, 1e-9);
-    // A step away, the shorter of both paths is longer by at most the step times the cosine of half their
-    // angle.
+    // Per unit step, the shorter of both paths grows by at most the cosine of half the angle between them.
     double rise = -1.0;
     for (int k = 0; k < directions; ++k) {
       Point beside = place;

@@ -22,8 +22,7 @@ namespace {
 
 using test::expect_near;
 
-/// Compares fields from three sources up to a limit, by one thread and by several, in a solver that is
-/// reused.
+/// Compares fields from three sources up to a limit by one thread and by several, all in one solver.
 void expect_equal(const test::Soup& soup, double max_distance) {
   const auto last = static_cast<Index>(soup.faces.size()) - 1;
   const std::vector<ExactSource> sources{{SurfacePoint::at_vertex(0), 0.1},

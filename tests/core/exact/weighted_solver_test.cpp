@@ -38,8 +38,7 @@ TEST(WeightedSolver, MuchDearerFacesAreNotReachedTooSoon) {
   const Layers layers(24, [](double, double y) { return y > 0.0 ? 1.0 : 30.0; });
   WeightedSolver solver = layers.solver();
   const Index source = layers.nearest(0.9, 0.1);
-  // The formula takes a source in the dearer half-plane below; distances are symmetric, so the ends are
-  // swapped.
+  // The formula needs its source in the dearer half-plane below, so the ends are swapped.
   const auto exact = [](const Point& p, const Point& q) {
     return q[1] > -1e-12 ? distance_between(p, q) : two_half_planes(q, p, 1.0, 30.0);
   };

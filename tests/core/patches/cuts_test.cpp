@@ -57,7 +57,7 @@ TEST(MinCut, NoOtherCutOfARandomGraphIsCheaper) {
   }
 }
 
-// Borders after minimum cuts: as short as possible, and found in one round.
+// Borders after minimum cuts: as short as possible, and found at once.
 
 /// Edges between faces with different labels, and their length.
 struct Border {
@@ -86,7 +86,7 @@ std::vector<Index> grid_labels(const Mesh& mesh, Index columns, LabelOf&& label_
 
 TEST(BorderCut, ARaggedBorderOfAGridBecomesStraight) {
   const auto mesh = test::make_mesh(test::plane_grid(20, 20, 20.0, 20.0).soup);
-  // Teeth two cells deep and high: 20 edges along the border and 9 times two across it.
+  // Teeth of two by two cells: 20 edges along the border, and two across at each of 9 steps.
   auto label = grid_labels(*mesh, 20, [](Index i, Index j) { return i < 10 + (j / 2 % 2 == 0 ? 1 : -1); });
   EXPECT_EQ(border_of(*mesh, label).edges, 20 + 2 * 9);
   BorderCut(*mesh).shorten(test::all_faces(*mesh), 2, 400.0, {}, label);

@@ -102,8 +102,7 @@ TEST(Halo, GrowsOnBothSidesRoundAHubOfNeedles) {
   EXPECT_EQ(greatest, 2199);
 }
 
-// Colours of patches: neighbours differ, few colours are used where few are enough, and more are made where
-// needed.
+// Colours of patches: neighbours differ, few are used where few are enough, and more are made where needed.
 
 /// Fails for each vertex at which two patches have one colour.
 void expect_neighbors_differ(const Mesh& mesh, const std::vector<Index>& patch, const PatchColoring& colors) {
