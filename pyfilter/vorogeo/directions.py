@@ -17,7 +17,7 @@ from .tasks import Tasks
 
 
 class Directions(Tasks):
-    """The part of `Surface` that answers questions about directions; what all questions share stands in its notes."""
+    """The part of `Surface` that answers questions about directions; what they share stands in `Surface`'s notes."""
 
     def tangent_frames(self, points: Points) -> NDArray[np.float64]:
         """The frames in which directions at points are given: x axis, y axis and normal, as unit vectors in space.
@@ -286,7 +286,7 @@ class Directions(Tasks):
         radius : float
             How far from the point vertices get coordinates, above 0.
         rotation : float, default 0
-            By which the picture is turned about the point, in radians, counter-clockwise in the frame there.
+            Angle by which the picture is turned about the point, in radians, counter-clockwise in the frame there.
         scale : float, default 1
             Scale of the picture, above 0; at 1 its side is twice the radius.
         """

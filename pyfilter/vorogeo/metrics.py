@@ -1,4 +1,4 @@
-"""Metrics: what a path costs where it runs over a surface, instead of its length in space; linear or by faces."""
+"""Metrics: what paths over a surface cost, instead of their length in space; linear over faces or constant in each."""
 
 from __future__ import annotations
 

@@ -233,7 +233,7 @@ class Tasks:
         return found, number
 
     def _points_on(self, name: str, line: EdgeCurve | GeodesicPath, spacing: float) -> Rows:
-        """Points along a curve, or those of a path and between them, at most `spacing` apart."""
+        """Points along a curve, or the points of a path and others between them, at most `spacing` apart."""
         if isinstance(line, EdgeCurve):
             own = 0.0 if line.spacing is None else check.length(f"{name}.spacing", line.spacing)
             along_edges: Rows = self._shared.core.mesh.along_edges(line.edges(len(self.vertices), name), own)
@@ -458,8 +458,7 @@ class Tasks:
         Borders are exact on flat parts of the surface, given the distances of the vertices: in each face the difference
         of two squared distances is interpolated linearly. Complexity: a field for each point, bounded by the greatest
         distance of a vertex from its point. At least one point is given; one that repeats an earlier one owns nothing.
-        In a metric that goes one way, the region of a point is what it reaches first; with `to`, what is nearest by the
-        ways to it.
+        In a metric that goes one way, a region holds what is nearest by the ways from its point or, with `to`, to it.
         """
         chosen = self._rows("points", points, least=1)
         vertex_region, distance, face_region, area, ends, edges, sides = self._ask(
