@@ -425,7 +425,7 @@ class GeodesicIndex(Surface):
         file : str or path
             A file written by `save`.
         vertices, faces, mask, metric, gap, bridge_folds
-            As for `Surface`, and the same as the index was built with: otherwise it is refused.
+            As for `Surface`, and the same as when the index was built: otherwise the file is refused.
         threads : int, optional
             Threads of each field; None is one per core.
         mapped : bool, default True
