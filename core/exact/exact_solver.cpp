@@ -194,6 +194,9 @@ void ExactSolver::run(std::span<const ExactSource> sources, const ExactLimits& l
   state.barrier_distance = unreachable;
   if (const int solvers = solvers_for(limits); solvers > 1) {
     if (!shared_ || shared_->solvers() != solvers) {
+      // On millions of vertices this takes seconds; its checkpoints need a watch to be cancelled by.
+      std::optional<Watch> watch;
+      if (limits.progress != nullptr) watch.emplace(limits.progress->part(0.0, 0.0), "Computing distances");
       shared_ = std::make_unique<SharedRun>(state.geometry, solvers);
     }
     shared_->run(state, limits.progress);
