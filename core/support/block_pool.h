@@ -23,21 +23,28 @@ class BlockPool {
   /// The class of the least block for so many elements.
   static int size_class(std::size_t size) { return std::max<int>(least_class, std::bit_width(size - 1)); }
 
-  /// Elements in all chunks.
+  /// Elements in all chunks, those to spare included.
   std::size_t size() const { return size_; }
 
   /// Whether there is room for a block of this class.
   bool has_room(int size_class) const { return class_with_room(size_class) < class_count; }
-  /// The elements of the chunk that grow_for() asks the system for.
-  std::size_t next_chunk(int size_class) const { return std::size_t{1} << chunk_class(size_class); }
+  /// The elements of the chunk that grow_for() asks the system for; 0 if it has one to spare.
+  std::size_t next_chunk(int size_class) const {
+    const int own = chunk_class(size_class);
+    return spare_[own].empty() ? std::size_t{1} << own : 0;
+  }
   void grow_for(int size_class) {
     const int own = chunk_class(size_class);
     const std::size_t size = std::size_t{1} << own;
-    Memory elements(static_cast<Element*>(::operator new(size * sizeof(Element))));
-    Element* const block = elements.get();
-    chunks_.push_back({std::move(elements), own});
-    free_[own].push_back(block);
-    size_ += size;
+    if (spare_[own].empty()) {
+      chunks_.push_back({Memory(static_cast<Element*>(::operator new(size * sizeof(Element)))), own});
+      size_ += size;
+      free_[own].push_back(chunks_.back().elements.get());
+    } else {
+      free_[own].push_back(spare_[own].back());
+      spare_[own].pop_back();
+    }
+    in_use_ += size;
   }
 
   /// A block whose elements are not initialized. \pre has_room(size_class).
@@ -53,10 +60,14 @@ class BlockPool {
   }
   void give_back(Element* block, int size_class) { free_[size_class].push_back(block); }
 
-  /// Takes all blocks back. The chunks stay.
+  /// Takes all blocks back. The chunks are to spare, but has_room() answers as in a new pool: what is done
+  /// where there is no room does not depend on what was done before.
   void clear() {
-    for (auto& blocks : free_) blocks.clear();
-    for (const Chunk& chunk : chunks_) free_[chunk.size_class].push_back(chunk.elements.get());
+    for (auto* lists : {&free_, &spare_}) {
+      for (auto& blocks : *lists) blocks.clear();
+    }
+    for (const Chunk& chunk : chunks_) spare_[chunk.size_class].push_back(chunk.elements.get());
+    in_use_ = 0;
   }
 
  private:
@@ -77,11 +88,13 @@ class BlockPool {
     return size_class;
   }
   int chunk_class(int size_class) const {
-    return std::max({size_class, least_chunk, static_cast<int>(std::bit_width(size_ / 4)) - 1});
+    return std::max({size_class, least_chunk, static_cast<int>(std::bit_width(in_use_ / 4)) - 1});
   }
   std::vector<Chunk> chunks_;
   std::array<std::vector<Element*>, class_count> free_;
+  std::array<std::vector<Element*>, class_count> spare_;  ///< chunks that are not in use since clear()
   std::size_t size_ = 0;
+  std::size_t in_use_ = 0;  ///< elements of the chunks in use
 };
 
 }  // namespace vorogeo

@@ -151,7 +151,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Seed{3821607430, 200, {93}, {91}}, Seed{3821607695, 60, {63}, {64}},
                     Seed{2562, 60, {21}, {35}}, Seed{2912000987, 2500, {288}},
                     Seed{4270006330, 60, {22, 25, 35}, {42, 52, 55}}, Seed{4292000288, 2500, {5492}, {2552}},
-                    Seed{4270007201, 60, {2}, {26, 52}}, Seed{4294000783, 2500, {354}, {186}}),
+                    Seed{4270007201, 60, {2}, {26, 52}}, Seed{4294000783, 2500, {354}, {186}},
+                    Seed{4294140039, 2500, {2934}}),
     [](const auto& seed) { return std::to_string(seed.param.seed); });
 
 TEST(ExactFieldContract, FieldsBesideDebrisOfAScanAreTheSameFromAnyNumberOfThreads) {
