@@ -160,7 +160,7 @@ def test_the_table_is_copied(seen):
 
 
 def test_a_layer_without_faces_is_refused_in_a_sentence(seen):
-    assert "has vertices but no faces" in seen["on a layer without faces"]
+    assert "has lines but no faces" in seen["on a layer without faces"]
 
 
 def frames(line: str) -> float:
