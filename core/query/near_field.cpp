@@ -52,17 +52,20 @@ void NearField::solve(std::span<const ExactSource> sources, double max_distance,
   certain_ = std::min(solver_.settled_distance(), solver_.barrier_distance());
 }
 
-/// The median distance of the near patches' vertices from the nearest source of each, without its offset.
-double NearField::median_distance(std::span<const ExactSource> sources) {
-  from_source_.clear();
-  for (Index v : targets_.vertices) {
-    const double found = solver_.distance(v);
-    if (found < unreachable) from_source_.push_back(found - sources[solver_.nearest_source(v)].offset);
+/// Of the borders of the near patches: the greatest distance of two neighbouring border points.
+double NearField::longest_border_piece() const {
+  const Mesh& mesh = *data_.surface.mesh;
+  double longest = 0.0;
+  for (const Index p : patches_) {
+    for (Index h = 3 * data_.first_face[p]; h < 3 * data_.first_face[p + 1]; ++h) {
+      if (data_.surface.second_layer[Mesh::face_of(mesh.next_around_edge(h))] == p) continue;
+      const Index edge = mesh.edge_of(h);
+      const auto [first, last] = data_.surface.places_inside(edge);
+      const double length = mesh.edge_length(edge) / (1.0 + last - first);
+      if (length < unreachable) longest = std::max(longest, length);
+    }
   }
-  if (from_source_.empty()) return 0.0;
-  const auto middle = from_source_.begin() + static_cast<std::ptrdiff_t>(from_source_.size() / 2);
-  std::ranges::nth_element(from_source_, middle);
-  return *middle;
+  return longest;
 }
 
 void NearField::run(std::span<const ExactSource> sources, double max_distance,
@@ -94,9 +97,9 @@ void NearField::run(std::span<const ExactSource> sources, double max_distance,
               static_cast<std::size_t>(max_faces * members * static_cast<double>(sources.size())));
   solve(sources, max_distance, directions);
   const double most = most_widened * static_cast<double>(halo_.faces().size());
+  const double least = nearest_offset + least_certain * longest_border_piece();
   // Each round doubles the faces or is the last.
-  while (static_cast<double>(halo_.faces().size()) <= most &&
-         solver_.barrier_distance() - nearest_offset < least_certain * median_distance(sources)) {
+  while (static_cast<double>(halo_.faces().size()) <= most && solver_.barrier_distance() < least) {
     const std::size_t before = halo_.faces().size();
     halo_.surround(patches_, 2.0 * static_cast<double>(before) / patch_faces);
     solve(sources, max_distance, directions);

@@ -32,10 +32,11 @@ class NearField {
   /// A source nearer to a border edge than this part of the edge has the patch behind it solved, too: right
   /// behind the edge, sums over its ends are so much too long that paths through other patches look shorter.
   static constexpr double near_border_edge = 0.5;
-  /// The halo is widened until no path leaves it within this part of the median distance of the patches'
-  /// vertices: in the tables, shorter distances are small differences of rounded entries. Around an ordinary
-  /// patch the edge of the halo is ten times as far; across needles, hundreds of faces may be nearer.
-  static constexpr double least_certain = 1.0 / 32.0;
+  /// The halo is widened until no path leaves it within this many lengths of the longest piece of the near
+  /// patches' borders: by the tables, a distance that is shorter than the space between border points is
+  /// mostly error. Around an ordinary patch the edge of the halo is ten or more lengths away; across needles,
+  /// hundreds of faces may be nearer.
+  static constexpr double least_certain = 1.0;
   /// Limits the time of widening: a halo that has this many times its first faces is not widened again.
   static constexpr double most_widened = 16.0;
   /// Growth of the halo with directions. The patches that touch those of the sources are then near as well:
@@ -102,7 +103,7 @@ class NearField {
   void add(Index patch);
   void add_at(const SurfacePoint& point);
   void solve(std::span<const ExactSource> sources, double max_distance, const TangentFrame* directions);
-  double median_distance(std::span<const ExactSource> sources);
+  double longest_border_piece() const;
 
   const IndexData& data_;
   LocalSolver solver_;
@@ -112,8 +113,7 @@ class NearField {
   std::vector<std::uint8_t> is_entered_;  ///< by patch: whether the halo has a face of it
   std::vector<Index> entered_;
   PlaceTargets targets_;
-  std::vector<Index> around_;        ///< faces at the sources
-  std::vector<double> from_source_;  ///< scratch memory of median_distance()
+  std::vector<Index> around_;  ///< faces at the sources
   double certain_ = 0.0;
 };
 
