@@ -65,9 +65,19 @@ void IndexData::lay_out(int threads, const Progress& progress) {
   for (Index vertex : first.node_place) second_node.push_back(second.place_node[vertex]);
   node_position.reserve(second.node_count());
   for (Index place : second.node_place) node_position.push_back(surface.position(place));
-  for (Index e = 0; e < surface.mesh->edge_count() && !has_branches; ++e) {
-    if (e % elements_per_checkpoint == 0) checkpoint();
-    has_branches = surface.mesh->edge_face_count(e) > 2;
+  longest_piece.assign(second.patch_count, 0.0);
+  const Mesh& inner = *surface.mesh;
+  for (const Index f : checked(inner.face_count())) {
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      const Index other = inner.next_around_edge(h);
+      has_branches |= inner.next_around_edge(other) != h;
+      if (surface.second_layer[f] == surface.second_layer[Mesh::face_of(other)]) continue;
+      const Index edge = inner.edge_of(h);
+      const auto [begin, end] = surface.places_inside(edge);
+      const double piece = inner.edge_length(edge) / (1.0 + end - begin);
+      double& longest = longest_piece[surface.second_layer[f]];
+      if (piece < unreachable) longest = std::max(longest, piece);
+    }
   }
 }
 
@@ -78,7 +88,7 @@ std::int64_t IndexData::bytes() const {
       access_bounds.memory_bytes() + landmarks.memory_bytes() + surface.memory_bytes() +
       geometry->memory_bytes() + of(partition.first_layer) + of(partition.second_layer) +
       of(partition.parent) + of(parent_column) + of(home_patch) + of(home_column) + of(first_face) +
-      of(first_child) + of(second_node) + of(node_position));
+      of(first_child) + of(second_node) + of(node_position) + of(longest_piece));
 }
 
 void IndexData::count() {

@@ -62,6 +62,9 @@ struct IndexData {
   std::vector<Index> first_child;    ///< second-layer patch, by first-layer patch; then their number
   std::vector<Index> second_node;    ///< second-layer node, by first-layer node
   std::vector<Point> node_position;  ///< by second-layer node: contiguous, unlike those in the mesh
+  /// By second-layer patch, the greatest distance of two neighbouring points on its border: by the tables,
+  /// what is shorter is mostly error.
+  std::vector<double> longest_piece;
   /// Whether an edge has more than two faces: crossings are unfolded as on a manifold, so no margin for the
   /// index's error holds there.
   bool has_branches = false;

@@ -52,22 +52,6 @@ void NearField::solve(std::span<const ExactSource> sources, double max_distance,
   certain_ = std::min(solver_.settled_distance(), solver_.barrier_distance());
 }
 
-/// Of the borders of the near patches: the greatest distance of two neighbouring border points.
-double NearField::longest_border_piece() const {
-  const Mesh& mesh = *data_.surface.mesh;
-  double longest = 0.0;
-  for (const Index p : patches_) {
-    for (Index h = 3 * data_.first_face[p]; h < 3 * data_.first_face[p + 1]; ++h) {
-      if (data_.surface.second_layer[Mesh::face_of(mesh.next_around_edge(h))] == p) continue;
-      const Index edge = mesh.edge_of(h);
-      const auto [first, last] = data_.surface.places_inside(edge);
-      const double length = mesh.edge_length(edge) / (1.0 + last - first);
-      if (length < unreachable) longest = std::max(longest, length);
-    }
-  }
-  return longest;
-}
-
 void NearField::run(std::span<const ExactSource> sources, double max_distance,
                     const TangentFrame* directions) {
   for (Index p : patches_) is_near_[p] = 0;
@@ -97,7 +81,9 @@ void NearField::run(std::span<const ExactSource> sources, double max_distance,
               static_cast<std::size_t>(max_faces * members * static_cast<double>(sources.size())));
   solve(sources, max_distance, directions);
   const double most = most_widened * static_cast<double>(halo_.faces().size());
-  const double least = nearest_offset + least_certain * longest_border_piece();
+  double piece = 0.0;
+  for (const Index p : patches_) piece = std::max(piece, data_.longest_piece[p]);
+  const double least = nearest_offset + least_certain * piece;
   // Each round doubles the faces or is the last.
   while (static_cast<double>(halo_.faces().size()) <= most && solver_.barrier_distance() < least) {
     const std::size_t before = halo_.faces().size();

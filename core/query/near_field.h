@@ -103,7 +103,6 @@ class NearField {
   void add(Index patch);
   void add_at(const SurfacePoint& point);
   void solve(std::span<const ExactSource> sources, double max_distance, const TangentFrame* directions);
-  double longest_border_piece() const;
 
   const IndexData& data_;
   LocalSolver solver_;
