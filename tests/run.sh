@@ -123,6 +123,7 @@ check_python_format() { python_sources | xargs -0 .venv/bin/ruff format --check;
 # Ends the run: the summary, and a status that says whether anything failed.
 finish() {
   say "done"
+  echo "$SECONDS 0 0 whole run" >>"$results/times.txt"  # of its steps, some ran at a time
   if ! command -v python3 >/dev/null; then
     cat "$checks"
     echo "0 passed, 1 failed"

@@ -223,3 +223,14 @@ def test_the_weight_of_the_tree_is_counted() -> None:
     product = [file for file in tree.sources(".cpp", ".h", ".py", ".pyi") if file.parts[0] in weight.PRODUCT]
     assert figures["product files"] == len(product)
     assert all(count > 0 for count in figures.values())
+
+
+def test_the_last_run_is_told_without_its_set_up(tmp_path: Path) -> None:
+    assert weight.last_run(tmp_path) == {}
+    results = tmp_path / "build" / "test-results"
+    results.mkdir(parents=True)
+    (results / "times.txt").write_text("90 100 5 set-up\n2 3 1 format of C++\n60 50 6.2 cpp-0\n170 0 0 whole run\n")
+    (results / "checks.txt").write_text("pass format of C++\nfail structure\nskip wheels\n")
+    (results / "cpp-0.xml").write_text('<testsuite><testcase name="a"/><testcase name="b"/></testsuite>')
+    told = {"run.sh, seconds": 80, "run.sh, seconds of the processor": 60, "run.sh, passed tests": 3}
+    assert weight.last_run(tmp_path) == told

@@ -1,9 +1,10 @@
-"""Prints how heavy checkouts are, side by side: lines, files, constants, pages, and how deep a question goes.
+"""Prints how heavy checkouts are, side by side: lines, files, constants, pages, how deep a question goes, the last run.
 
 Usage: python tests/structure/weight.py [CHECKOUT ...]
 
 Without a checkout, this one. Counts what git tracks in the work tree; comments and blank lines count like others. Ways
-and hops are counted in the list of calls of docs/architecture.md, whose names the tests of this folder check.
+and hops are counted in the list of calls of docs/architecture.md, whose names the tests of this folder check. Time and
+passed tests of the last tests/run.sh are those in build/test-results, where there is one.
 To compare with an earlier tree: `git worktree add /tmp/before COMMIT`, then give both folders.
 """
 
@@ -13,6 +14,9 @@ import re
 import subprocess
 import sys
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+import count_results
 
 SOURCES = (".h", ".cpp", ".py", ".pyi")
 PRODUCT = ("core", "plugin", "pyfilter", "include")
@@ -48,6 +52,24 @@ def weight(checkout: Path) -> dict[str, int]:
     }
 
 
+def last_run(checkout: Path) -> dict[str, int]:
+    """Seconds of the last tests/run.sh, set-up apart, and how many tests passed; empty where there was none."""
+    results = checkout / "build" / "test-results"
+    if not (results / "times.txt").is_file():
+        return {}
+    steps = {}
+    for line in (results / "times.txt").read_text().splitlines():
+        clock, user, system, name = line.split(" ", 3)
+        steps[name] = float(clock), float(user) + float(system)
+    set_up, _ = steps.pop("set-up", (0.0, 0.0))
+    whole = {"run.sh, seconds": round(steps["whole run"][0] - set_up)} if "whole run" in steps else {}
+    return {
+        **whole,
+        "run.sh, seconds of the processor": round(sum(processor for _, processor in steps.values())),
+        "run.sh, passed tests": sum(result.outcome == "passed" for result in count_results.all_results(results)),
+    }
+
+
 def calls(page: str) -> dict[str, list[str]]:
     """The functions of each item of the list of calls."""
     return {name: re.findall(r"`([^`]+)`", functions) for name, functions in CALLS.findall(page)}
@@ -56,7 +78,7 @@ def calls(page: str) -> dict[str, list[str]]:
 def main() -> None:
     """Print the table."""
     checkouts = [Path(name).resolve() for name in sys.argv[1:]] or [Path(__file__).resolve().parents[2]]
-    columns = [weight(checkout) for checkout in checkouts]
+    columns = [weight(checkout) | last_run(checkout) for checkout in checkouts]
     print(f"{'':50}" + "".join(f"{checkout.name:>14}" for checkout in checkouts))
     for name in dict.fromkeys(name for column in columns for name in column):
         print(f"{name:50}" + "".join(f"{column[name]:>14,}" if name in column else f"{'-':>14}" for column in columns))
