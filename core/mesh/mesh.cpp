@@ -49,23 +49,29 @@ void require_vertices(const std::vector<std::array<Index, 3>>& faces, Index vert
   }
 }
 
+/// The number of points on each edge: the usual one if drifts are given without a number. \throw InvalidInput
+/// for a number that is not possible, or drifts without the lengths they belong to.
+Index checked_points_per_edge(const Metric& metric) {
+  constexpr Index max_points = 1000;
+  if (metric.points_per_edge < 0 || metric.points_per_edge > max_points) {
+    throw InvalidInput("The number of points on each edge is " + std::to_string(metric.points_per_edge) +
+                       "; give 1 to 1000.");
+  }
+  if (metric.drifts.empty()) return metric.points_per_edge;
+  if (metric.sides.empty() || !metric.splits.empty()) {
+    throw InvalidInput("Drifts need the lengths of the sides, in faces that are not split.");
+  }
+  return metric.points_per_edge == 0 ? usual_edge_points : metric.points_per_edge;
+}
+
 }  // namespace
 
 Mesh::Mesh(std::vector<Point> positions, std::vector<std::array<Index, 3>> faces, const Metric& metric)
     : positions_(std::move(positions)),
       given_face_count_(static_cast<Index>(faces.size())),
       middle_of_(metric.splits.middle_of),
-      points_per_edge_(metric.points_per_edge),
+      points_per_edge_(checked_points_per_edge(metric)),
       has_metric_(!metric.sides.empty()) {
-  constexpr Index max_points = 1000;
-  if (points_per_edge_ < 0 || points_per_edge_ > max_points) {
-    throw InvalidInput("The number of points on each edge is " + std::to_string(points_per_edge_) +
-                       "; give 1 to 1000.");
-  }
-  if (!metric.drifts.empty() && (metric.sides.empty() || !metric.splits.empty())) {
-    throw InvalidInput("Drifts need the lengths of the sides, in faces that are not split.");
-  }
-  if (!metric.drifts.empty() && points_per_edge_ == 0) points_per_edge_ = usual_edge_points;
   if (metric.splits.empty()) {
     face_vertices_ = std::move(faces);
     connect(metric.sides, metric.drifts);
@@ -85,7 +91,7 @@ Mesh::Mesh(std::vector<Point> positions, std::vector<std::array<Index, 3>> faces
       face_vertices_(std::move(faces)),
       given_face_count_(static_cast<Index>(face_vertices_.size())),
       same_as_(bridges.same_as),
-      points_per_edge_(metric.points_per_edge),
+      points_per_edge_(checked_points_per_edge(metric)),
       has_metric_(!metric.sides.empty()) {
   const auto count = static_cast<Index>(same_as_.size());
   for (auto& face : face_vertices_) {

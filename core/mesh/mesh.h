@@ -116,11 +116,12 @@ class Mesh {
   /// splits are vertices like others; InputMap translates to the numbers of the host. \throw InvalidInput
   /// also for lengths that are negative or not finite, on which two faces of an edge disagree though the
   /// metric does not jump, or that break the triangle inequality, beyond rounding (names the face and its
-  /// three lengths), and for more than 1000 points on each edge.
+  /// three lengths), for more than 1000 points on each edge, and for drifts without sides or with splits.
   Mesh(std::vector<Point> positions, std::vector<std::array<Index, 3>> faces, const Metric& metric = {});
   /// The mesh with its gaps closed. Vertices keep their numbers, but faces name only the first of several
   /// merged vertices, and it stands for the others wherever a point, a distance or a component is asked for.
   /// Bridges are the last faces, and their sides the last rows of the metric. \pre The metric has no splits.
+  /// \throw as the other one.
   Mesh(std::vector<Point> positions, std::vector<std::array<Index, 3>> faces, const GapBridges& bridges,
        const Metric& metric = {});
 

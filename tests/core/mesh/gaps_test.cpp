@@ -10,6 +10,7 @@
 #include "mesh/mesh_check.h"
 #include "mesh/mesh_input.h"
 #include "support/gaps.h"
+#include "support/refusal.h"
 
 namespace vorogeo {
 namespace {
@@ -171,6 +172,19 @@ TEST(GapZipper, FillsTheHoleWhereGapsMeet) {
   const GapBridges bridges = find_gap_bridges(*test::make_mesh(soup), {0.15});
   EXPECT_NEAR(area_of(*test::make_mesh(soup), bridges.faces), 2.1 * 2.1 - 4.0, 1e-12);
   EXPECT_EQ(find_border_loops(Mesh(soup.positions, soup.faces, bridges)).count, 1);
+}
+
+TEST(GapBridges, TheMetricIsCheckedAsOnAMeshWithoutThem) {
+  const Soup soup = test::plane_grid(1, 1, 1.0, 1.0).soup;  // two faces
+  const SideLengths sides(2, {1.0, 1.0, 1.0});
+  auto bridged = [&](const Metric& metric) { return Mesh(soup.positions, soup.faces, GapBridges{}, metric); };
+  auto sentence = [&](const Metric& metric) { return test::refusal([&] { bridged(metric); }); };
+  EXPECT_EQ(sentence({sides, 1001}), "The number of points on each edge is 1001; give 1 to 1000.");
+  Metric drifting;
+  drifting.drifts = SideLengths(2, {0.1, -0.1, 0.0});
+  EXPECT_EQ(sentence(drifting), "Drifts need the lengths of the sides, in faces that are not split.");
+  drifting.sides = sides;
+  EXPECT_EQ(bridged(drifting).points_per_edge(), usual_edge_points);
 }
 
 }  // namespace
