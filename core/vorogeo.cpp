@@ -195,19 +195,32 @@ double Surface::distance(const SurfacePoint& from, const SurfacePoint& to, Answe
 
 namespace {
 
-/// \throw InvalidInput unless both lists have the same number of points.
-void require_pairs(const PointList& from, const PointList& to) {
-  if (from.size() == to.size()) return;
-  throw InvalidInput("There are " + std::to_string(from.size()) + " points to start from and " +
-                     std::to_string(to.size()) + " to go to; give as many of both.");
-}
+/// Both ends of k pairs; one point goes with each of k.
+struct Pairs {
+  /// \throw InvalidInput for lists of other sizes, or a vertex or face that does not exist.
+  Pairs(const Mesh& mesh, const PointList& from, const PointList& to)
+      : sources(points_in(mesh, repeated(from, to.size()))),
+        targets(points_in(mesh, repeated(to, from.size()))) {
+    if (sources.size() == targets.size()) return;
+    throw InvalidInput("There are " + std::to_string(from.size()) + " points to start from and " +
+                       std::to_string(to.size()) + " to go to; give as many of both.");
+  }
+  PointPairs pairs() const { return {sources, targets}; }
+
+  inner::PointList sources;
+  inner::PointList targets;
+
+ private:
+  static PointList repeated(const PointList& points, std::size_t count) {
+    return points.size() == 1 ? PointList(std::vector(count, points[0])) : points;
+  }
+};
 
 }  // namespace
 
 std::vector<double> Surface::distances(const PointList& from, const PointList& to, Answer by) const {
   return ask(*this, TaskOptions{by}, [&](Asked& at) {
-    require_pairs(from, to);
-    return at.surface.distances({at.in(from), at.in(to)}, at.options.by, at.answered);
+    return at.surface.distances(Pairs(at.mesh, from, to).pairs(), at.options.by, at.answered);
   });
 }
 
@@ -223,11 +236,11 @@ Path Surface::path(const SurfacePoint& from, const SurfacePoint& to, const PathO
 std::vector<Path> Surface::paths(const PointList& from, const PointList& to,
                                  const PathOptions& options) const {
   return ask(*this, options, [&](Asked& at) {
-    require_pairs(from, to);
+    const Pairs ends(at.mesh, from, to);
     std::vector<Path> paths;
-    for (const auto& one : at.surface.paths({at.in(from), at.in(to)}, at.options.by,
-                                            {.exact = options.exact, .certify = options.certify}, at.answered,
-                                            at.options.progress)) {
+    for (const auto& one :
+         at.surface.paths(ends.pairs(), at.options.by, {.exact = options.exact, .certify = options.certify},
+                          at.answered, at.options.progress)) {
       paths.push_back(path_out(at.mesh, one, at.answered));
     }
     return paths;

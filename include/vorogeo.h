@@ -264,11 +264,12 @@ class VOROGEO_API Surface {
   PointList along_edges(const std::vector<std::array<int, 2>>& edges, double spacing = 0.0) const;
   /// The distance of two points. \pre `by` is not quick.
   double distance(const SurfacePoint& from, const SurfacePoint& to, Answer by = Answer::automatic) const;
-  /// The same for pairs of points: entry i of both lists. On all threads, from the index if there is one.
+  /// The same for pairs of points: entry i of both lists, or one point with each of k. On all threads, from
+  /// the index if there is one. \throw InvalidInput for lists of other sizes.
   std::vector<double> distances(const PointList& from, const PointList& to,
                                 Answer by = Answer::automatic) const;
   Path path(const SurfacePoint& from, const SurfacePoint& to, const PathOptions& options = {}) const;
-  /// The same for pairs, on all threads.
+  /// The same for pairs, which are those of distances(), on all threads.
   std::vector<Path> paths(const PointList& from, const PointList& to, const PathOptions& options = {}) const;
   /// For many small questions of one thread; see Query. \pre `by` is not quick.
   Query query(Answer by = Answer::automatic) const;

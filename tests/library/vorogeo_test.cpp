@@ -126,7 +126,35 @@ TEST(Library, PathsAreStraightLinesOnThePaper) {
     EXPECT_TRUE(paths[i].certified);
     EXPECT_EQ(paths[i].surface_points.back(), SurfacePoint(ends[i]));
   }
-  EXPECT_THROW(surface.paths({0, 0}, {1}), vorogeo::InvalidInput);
+}
+
+TEST(Library, OnePointGoesWithEachOfMany) {
+  const Sheet sheet(squares);
+  Surface surface = surface_of(sheet);
+  const SurfacePoint one(2 * squares * squares - 1, {0.25, 0.25, 0.5});
+  const vorogeo::PointList many{3, sheet.vertex(7, 2), {100, {0.2, 0.3, 0.5}}};
+  for (const Answer by : {Answer::exact, Answer::index}) {
+    if (by == Answer::index) surface.build_index({.first_layer_patches = 4, .second_layer_patches = 3});
+    const auto away = surface.distances(one, many, by);
+    const auto back = surface.distances(many, one, by);
+    const auto paths = surface.paths(one, many, {.by = by});
+    const auto paths_back = surface.paths(many, one, {.by = by});
+    ASSERT_EQ(away.size(), many.size());
+    ASSERT_EQ(back.size(), many.size());
+    ASSERT_EQ(paths.size(), many.size());
+    ASSERT_EQ(paths_back.size(), many.size());
+    for (std::size_t i = 0; i < many.size(); ++i) {
+      EXPECT_NEAR(away[i], surface.distance(one, many[i], by), 1e-12);
+      EXPECT_NEAR(back[i], surface.distance(many[i], one, by), 1e-12);
+      EXPECT_NEAR(paths[i].length, surface.path(one, many[i], {.by = by}).length, 1e-12);
+      EXPECT_EQ(paths[i].surface_points.back(), paths_back[i].surface_points.front());
+      EXPECT_NEAR(paths[i].length, paths_back[i].length, 1e-12);
+    }
+  }
+  EXPECT_TRUE(surface.distances(0, {}).empty());
+  const std::string sentence = "There are 2 points to start from and 3 to go to; give as many of both.";
+  EXPECT_EQ(sentence_of<vorogeo::InvalidInput>([&] { surface.distances({0, 1}, many); }), sentence);
+  EXPECT_EQ(sentence_of<vorogeo::InvalidInput>([&] { surface.paths({0, 1}, many); }), sentence);
 }
 
 TEST(Library, DirectionsAreThoseOnThePaper) {
