@@ -103,6 +103,21 @@ def test_matrix_of_all_and_of_chosen_points(mesh):
     assert np.loadtxt("m.csv", delimiter=",").shape == (2, 2)
 
 
+def test_entries_of_a_matrix_also_by_the_former_name_of_the_option(mesh, capsys):
+    assert main(["index", mesh, "--patches", "3", "3", "--out", "i.vgi", "--quiet"]) == 0
+    index = vorogeo.GeodesicIndex.load("i.vgi", VERTICES, FACES)
+    ids = np.arange(len(VERTICES))
+    for entries in ("pairs", "fields"):
+        for option in ("--entries", "--method"):
+            assert main(["matrix", mesh, "--index", "i.vgi", option, entries, "--out", "m.npy", "--quiet"]) == 0
+            np.testing.assert_array_equal(np.load("m.npy"), index.distance_matrix(ids, entries=entries))
+    capsys.readouterr()
+    assert main(["matrix", "--help"]) == 0
+    shown = capsys.readouterr().out
+    assert "--entries {automatic,pairs,fields}" in shown
+    assert "--method" not in shown
+
+
 def test_normalised_lengths_are_parts_of_the_root_of_the_area(mesh):
     assert main(["matrix", mesh, "--out", "m.npy", "--normalise", "sqrt-area", "--exact", "--quiet"]) == 0
     np.testing.assert_allclose(np.load("m.npy"), APART / np.sqrt(1.2), atol=1e-12)

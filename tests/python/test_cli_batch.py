@@ -75,6 +75,18 @@ def test_results_of_other_options_are_not_mixed(shapes, capsys):
     assert np.load("out/a.npy").dtype == np.float64
 
 
+def test_a_folder_of_matrices_by_the_former_name_of_entries_is_continued(shapes, capsys):
+    assert main([*COMMAND, "--quiet"]) == 0
+    record = Path("out/vorogeo.json")
+    options = json.loads(record.read_text())
+    options["method"] = options.pop("entries")
+    record.write_text(json.dumps(options))
+    assert main(COMMAND) == 0
+    assert "method" not in json.loads(record.read_text())
+    assert main([*COMMAND, "--entries", "pairs"]) == 1
+    assert "holds results with entries 'automatic', not 'pairs'" in capsys.readouterr().err
+
+
 def test_a_folder_is_its_meshes_and_names_may_not_clash(shapes, capsys):
     assert main(["sample", "shapes", "--count", "4", "--out", "picked", "--format", "csv", "--quiet"]) == 0
     assert sorted(os.listdir("picked")) == ["a.csv", "b.csv", "c.csv", "vorogeo.json"]

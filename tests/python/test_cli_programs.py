@@ -141,7 +141,8 @@ def test_bash_completes_commands_options_and_their_words(tmp_path):
 
     assert offered("fi") == ["field"]
     assert set(commands()) < set(offered(""))
-    assert offered("matrix", "--method", "") == ["automatic", "pairs", "fields"]
+    assert offered("matrix", "--entries", "") == ["automatic", "pairs", "fields"]
+    assert offered("matrix", "--m") == ["--mask", "--max-snap", "--metric", "--memory-budget"]
     assert offered("sample", "a.ply", "--method", "p") == ["poisson"]
     assert offered("compare", "a.ply", "--methods", "h") == ["heat"]
     assert offered("field", "a.ply", "--max") == ["--max-snap", "--max-distance"]

@@ -64,6 +64,8 @@ def prepare_folder(folder: Path, options: dict[str, object], overwrite: bool) ->
     record = folder / RECORD
     if record.is_file() and not overwrite:
         before = json.loads(record.read_text())
+        if "entries" in options:  # up to 0.2.1 they were called method
+            before.setdefault("entries", before.pop("method", None))
         for name in sorted({*before, *options}):
             if before.get(name) != options.get(name):
                 raise InvalidInput(

@@ -61,7 +61,7 @@ def matrix(task: MeshTask) -> Result:
     values = task.surface.distance_matrix(
         points,
         others,
-        entries=task.options.get("method") or "automatic",
+        entries=task.options.get("entries") or "automatic",
         out=task.job.out if direct else None,
         dtype=task.dtype,
         **task.how,

@@ -92,6 +92,7 @@ _SEED = _number(int, 0, 2**64 - 1, "a seed of 0 or more")
 _REGION = _number(int, 0, 2**31 - 1, "the number of a region")
 _PATCHES = _number(int, 0, 2**31 - 1, "a number of patches")
 _THREADS = _number(int, 1, MAX_THREADS, "a number of threads")
+_ENTRIES = ("automatic", "pairs", "fields")
 _FORMATS = ("npy", "npz", "mat", "csv", "ply", "gii")
 
 #: By the word that stands for what an option takes; "": nothing.
@@ -162,7 +163,9 @@ _COMMANDS: dict[str, tuple[str, str, _Options]] = {
         (
             _option("--points POINT", "rows, and columns without --to; default: all vertices"),
             _option("--to POINT", "columns"),
-            _option("--method", "how it is filled", choices=("automatic", "pairs", "fields"), default="automatic"),
+            _option("--entries", "what they are computed from", choices=_ENTRIES, default="automatic"),
+            # Scripts written for 0.2.1 say --method; accepted for one release.
+            _option("--method", argparse.SUPPRESS, choices=_ENTRIES, dest="entries", default=argparse.SUPPRESS),
         ),
     ),
     "neighbours": (
@@ -410,9 +413,10 @@ _ALL = _COMMANDS | _WITHOUT_MESH
 
 
 def options_of(command: str) -> dict[str, dict[str, Any]]:
-    """What the command line takes after a command, by name, as argparse describes it."""
+    """What --help shows of a command, by name, as argparse describes it."""
     own = _ALL[command][2] if command in _WITHOUT_MESH else [*_COMMON, *_ALL[command][2]]
-    return dict(one for option in own for one in (option if isinstance(option, list) else [option]))
+    each = dict(one for option in own for one in (option if isinstance(option, list) else [option]))
+    return {name: how for name, how in each.items() if how["help"] != argparse.SUPPRESS}
 
 
 def commands() -> dict[str, str]:
