@@ -51,11 +51,16 @@ def _triples(name: str, array: NDArray[Any], wanted: str, width: int = 3) -> Non
 
 def integers(name: str, array: NDArray[Any], wanted: str) -> NDArray[Any]:
     """An array of integers, also from whole numbers that are stored as reals, as matrices in files have them."""
-    if array.dtype.kind == "f" and np.isfinite(array).all() and (array == np.rint(array)).all():
-        return np.clip(array.astype(np.float64), -(2.0**62), 2.0**62).astype(np.int64)
-    if array.dtype.kind not in "iu":
-        raise InvalidInput(f"{name}: has type {array.dtype}, not integer; give {wanted}.")
-    return array
+    if array.dtype.kind in "iu":
+        return array
+    where = ""
+    if array.dtype.kind == "f":
+        is_whole = np.isfinite(array) & (array == np.rint(array))
+        if is_whole.all():
+            return np.clip(array.astype(np.float64), -(2.0**62), 2.0**62).astype(np.int64)
+        row = "".join(f"[{i}]" for i in np.argwhere(~is_whole)[0])
+        where = f": {name}{row} is {array[~is_whole][0]}"
+    raise InvalidInput(f"{name}: has type {array.dtype}, not integer{where}; give {wanted}.")
 
 
 def column(array: NDArray[Any]) -> NDArray[Any]:

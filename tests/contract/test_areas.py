@@ -113,7 +113,7 @@ REFUSED: dict[str, tuple[Any, str]] = {
     "two": (lambda s: s.area([True], [True]), "Give one of faces, vertices and inside"),
     "too few": (lambda s: s.area([True, False]), r"faces: has shape \(2,\), but there are \d+ faces; give for each"),
     "words": (lambda s: s.area(vertices=["a"]), "vertices: is not an array of numbers"),
-    "NaN": (lambda s: s.area(np.full(len(s.faces), np.nan)), "faces: has type float64, not integer"),
+    "NaN": (lambda s: s.area(np.full(len(s.faces), np.nan)), r"has type float64, not integer: faces\[0\] is nan"),
     "a number of no region": (lambda s: s.area(np.full(len(s.faces), 2**40)), "faces: 1099511627776 is out of range"),
     "an open curve": (lambda s: s.area(inside=s.path(0, 100)), "The curve is not closed"),
     "a curve of one place": (lambda s: s.area(inside=[3, 3, 3]), "The curve has no length"),

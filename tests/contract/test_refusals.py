@@ -50,7 +50,7 @@ def meshes() -> dict[str, tuple[Any, Any, str]]:
         ),
         "no faces": (vertices, None, "faces: is missing, and the only argument is a ndarray; give vertices and faces"),
         "faces that are true or false": (vertices, faces > 0, "faces: has type bool, not integer"),
-        "faces that are real": (vertices, faces + 0.5, "faces: has type float64"),
+        "faces that are real": (vertices, faces + 0.5, r"faces: has type float64, not integer: faces\[0\]\[0\] is \d"),
     }
 
 

@@ -96,7 +96,10 @@ def test_beyond_the_limit_is_infinite_everywhere():
         (lambda: ours.compute_gdist(*FLAT, source_indices=[121]), "there is no vertex 121"),
         (lambda: ours.compute_gdist(*FLAT, target_indices=[-1]), "there is no vertex -1"),
         (lambda: ours.compute_gdist(FLAT[0], FLAT[1], is_one_indexed=True), "names vertex 0, but ids begin with 1"),
-        (lambda: ours.local_gdist_matrix(FLAT[0], FLAT[1] + 0.5), "has type float64, not integer"),
+        (
+            lambda: ours.local_gdist_matrix(FLAT[0], FLAT[1] + 0.5),
+            r"has type float64, not integer: triangles\[0\]\[0\] is 0\.5",
+        ),
         (lambda: ours.compute_gdist(FLAT[0], [[0, 1, 2], [1, 3]]), "triangles: cannot be read as an array"),
         (lambda: ours.compute_gdist(*FLAT, target_indices=[1], max_distance=-1), "max_distance: -1.0 is negative"),
         (lambda: ours.local_gdist_matrix(*FLAT, max_distance=-1), "max_distance: -1.0 is negative"),

@@ -14,7 +14,8 @@ VERTICES, FACES = plane_grid(5, 4)
 
 BAD_IDS = [
     (2**40, ": there is no vertex 1099511627776"),
-    ([0.0, 1.25], ": has type float64, not integer"),
+    ([0.0, 1.25], r": has type float64, not integer: (sources|source|target)\[1\] is 1\.25; give a vertex id"),
+    (0.5, ": has type float64, not integer: (sources|source|target) is 0.5; give a vertex id"),
     (1e300, ": there is no vertex"),
     (float("nan"), ": has type float64"),
     (True, ": has type bool"),
