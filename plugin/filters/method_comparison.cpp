@@ -180,8 +180,7 @@ void write_difference(FilterCall& call, const LayerSurface& layer, const FieldDi
     CVertexO& vertex = call.layer.cm.vert[layer.host_vertex(static_cast<Index>(v))];
     const double error = difference.relative[v];
     vertex.Q() = static_cast<Scalarm>(std::isnan(error) ? 0.0 : error);
-    const vcg::Color4b dark_grey(90, 90, 90, 255);  // there is nothing to compare
-    vertex.C() = std::isnan(error) ? dark_grey : diverging_color(error / range);
+    vertex.C() = std::isnan(error) ? grey() : diverging_color(error / range);
   }
 }
 
@@ -245,7 +244,7 @@ std::vector<FilterRow> comparison_rows() {
        "<p>Runs two geodesic methods from one vertex and writes (<b>Method</b> - <b>Reference</b>) / "
        "<b>Reference</b> into the vertex quality: 0.01 is one percent too long. Colours go from blue (too "
        "short) over light grey to red (too long) and are full at the 99th percentile; vertices with nothing "
-       "to compare get 0 and dark grey. Mean, RMS, 99th percentile, largest difference and both times are "
+       "to compare get 0 and grey. Mean, RMS, 99th percentile, largest difference and both times are "
        "logged.</p>"
        "<p>How to choose: keep the exact method as reference to see errors, or compare two approximate "
        "methods with each other. Fast marching, heat and Dijkstra are the code of this MeshLab, without a "

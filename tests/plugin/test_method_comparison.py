@@ -117,6 +117,7 @@ def test_other_components_are_not_compared(method):
     assert result["compared_vertices"] == 48
     assert result["vertices_by_one_method_only"] == 0
     np.testing.assert_array_equal(field(ms)[49:], 0)
+    np.testing.assert_allclose(255 * ms.current_mesh().vertex_color_matrix()[49:, :3], 160)
 
 
 def test_figures_are_those_of_the_methods(tmp_path):
