@@ -29,27 +29,32 @@ void check_index_file_can_be_written(const fs::path& file) {
 
 // ---- Filter: build the geodesic index of the current layer, and write it to a file if one is named
 
+/// The window shows the parameter on request only; such parameters are the last of a dialog.
+constexpr bool advanced = true;
+
 RichParameterList build_index_parameters(const MeshDocument&) {
   return list_of(
-      RichInt("n1", 0, "First-layer patches",
+      RichInt("n1", 0, "First-layer patches (0: chosen)",
               "Number of patches of the first layer. 0 chooses it from the number of vertices. "
               "More patches build faster and answer less accurately."),
-      RichInt("n2", 0, "Second-layer patches",
+      RichInt("n2", 0, "Second-layer patches (0: chosen)",
               "Mean number of second-layer patches in one patch of the first layer. 0 chooses it."),
-      RichFloat("delta", 0, "Delta",
-                "Average relative error that leaving out arcs may add, from 0 (loses nothing) to "
-                "below 1; 0.001 to 0.02 make the index smaller."),
-      RichInt("memory_budget", 0, "Memory budget (MiB)",
-              "Memory the index may take. If its tables fit, it is fast; if not, it is a graph "
-              "that is searched, smaller and slower. 0: 4096 MiB, and no limit for tables in a "
-              "new index file."),
       RichFileToWrite("index_file", "", "*.vgi", "Index file",
                       "File to write the index to. Empty: the index is kept in memory only. In a new "
                       "file the index is built table by table, so it may be larger than the memory, "
                       "and a build that is stopped goes on from there the next time."),
-      RichInt("threads", 0, "Threads",
-              "Threads of the build. 0: one per core. The index does not depend on it."),
-      seed_parameter());
+      RichFloat("delta", 0, "Delta",
+                "Average relative error that leaving out arcs may add, from 0 (loses nothing) to "
+                "below 1; 0.001 to 0.02 make the index smaller.",
+                advanced),
+      RichInt("memory_budget", 0, "Memory budget (MiB)",
+              "Memory the index may take. If its tables fit, it is fast; if not, it is a graph "
+              "that is searched, smaller and slower. 0: 4096 MiB, and no limit for tables in a "
+              "new index file.",
+              advanced),
+      RichInt("threads", 0, "Threads (0: one per core)",
+              "Threads of the build. The index does not depend on their number.", advanced),
+      seed_parameter(advanced));
 }
 
 /// More than the cores of any machine; the core starts no more threads than are useful.

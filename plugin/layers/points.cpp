@@ -92,7 +92,9 @@ RichBool exact_parameter() {
                   "Exact propagation for each point, also where the index is faster: without its errors.");
 }
 
-RichInt seed_parameter() { return RichInt("seed", 0, "Seed", "Seed of the random numbers."); }
+RichInt seed_parameter(bool advanced) {
+  return RichInt("seed", 0, "Seed", "Seed of the random numbers.", advanced);
+}
 
 std::uint64_t seed_of(const FilterCall& call) {
   return static_cast<std::uint64_t>(number_of(call, "seed", 0, ". Give 0 or a positive number."));

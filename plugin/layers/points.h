@@ -65,7 +65,7 @@ RichLength max_snap_distance_parameter(const MeshDocument& document);
 RichBool exact_parameter();
 
 /// The parameter seed, and its value. \throw InvalidInput if it is negative.
-RichInt seed_parameter();
+RichInt seed_parameter(bool advanced = false);
 std::uint64_t seed_of(const FilterCall& call);
 
 /// The core vertex whose number in the host is the value of a parameter. \throw InvalidInput if there is

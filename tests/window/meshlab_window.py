@@ -134,6 +134,9 @@ class MeshLabWindow(Screen):
         """Replace what stands in the fields of a parameter, by mouse and keyboard."""
         parameter = next(entry for entry in self.parameters(dialog) if name_of(entry.label) == label)
         widgets = [widget for widget in parameter.widgets if widget.get_role() in FIELDS]
+        if not all(map(self.is_showing, widgets)):
+            self.click(self.find(Atspi.Role.CHECK_BOX, "Show advanced parameters", dialog)[0])
+            wait_for(f"the field of {label}", lambda: all(map(self.is_showing, widgets)))
         for widget, value in zip(widgets, values, strict=False):
             if widget.get_role() == Atspi.Role.COMBO_BOX:
                 self.choose(widget, value)
