@@ -189,3 +189,58 @@ def repeats(random: Rng) -> Shape:
     folded = faces[::5].copy()
     folded[:, 2] = folded[:, 0]
     return shape("repeats", (vertices, np.vstack([faces, folded, twice])), straight)
+
+
+def hole() -> Shape:
+    """A flat rectangle of 4 by 3 without [4/3, 8/3] by [1, 2]: paths bend at the corners of the hole."""
+    vertices, faces = plain_grid(25, 19, 4.0, 3.0)
+    low, high = np.array([4 / 3, 1.0]), np.array([8 / 3, 2.0])
+    middle = vertices[faces].mean(axis=1)[:, :2]
+    faces = faces[~((middle > low) & (middle < high)).all(axis=1)]
+    used = np.unique(faces)
+    vertices, faces = vertices[used], np.searchsorted(used, faces).astype(np.int32)
+    corners = np.array([low, [high[0], low[1]], high, [low[0], high[1]]])  # round the hole
+    sides = straight(corners, corners)
+    # Between opposite ones: along two sides.
+    sides[[0, 1, 2, 3], [2, 3, 0, 1]] = (high - low).sum()
+
+    def seen(a: Floats, b: Floats) -> Floats:
+        """Lengths of straight lines, infinite where one crosses the hole."""
+        step = steps(a, b)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            first, last = (low - a)[:, None] / step, (high - a)[:, None] / step
+        is_still = np.abs(step) < 1e-9
+        is_beside = is_still & ((a < low + 1e-9) | (a > high - 1e-9))[:, None]
+        begin = np.where(is_still, 0.0, np.minimum(first, last)).max(axis=2).clip(min=0.0)
+        end = np.where(is_still, 1.0, np.maximum(first, last)).min(axis=2).clip(max=1.0)
+        is_open = is_beside.any(axis=2) | (end - begin < 1e-9)
+        return np.where(is_open, np.linalg.norm(step, axis=2), np.inf)
+
+    def between(a: Floats, b: Floats) -> Floats:
+        a, b = a[:, :2], b[:, :2]
+        to_corner = (seen(a, corners)[:, :, None] + sides).min(axis=1)
+        round_it = (to_corner[:, :, None] + seen(corners, b)).min(axis=1)
+        return np.minimum(seen(a, b), round_it)
+
+    return shape("hole", (vertices, faces), between)
+
+
+def book() -> Shape:
+    """Three flat pages of 2 by 1 that share a side, the spine: any two of them are one plane when unfolded."""
+    columns, rows, pages = 17, 9, 3
+    flat, faces = plain_grid(columns, rows, 2.0, 1.0)
+    page, beyond = np.arange(pages)[:, None], np.arange(len(flat)) - columns  # the spine is the first row of each
+    ids = np.where(beyond < 0, np.arange(len(flat)), columns + page * (len(flat) - columns) + beyond)
+    # Along the spine, and away from it on each page.
+    chart = np.zeros((columns + pages * (len(flat) - columns), 1 + pages))
+    for p in range(pages):
+        chart[ids[p], 0], chart[ids[p], 1 + p] = flat[:, 0], flat[:, 1]
+    turn = 2 * np.pi * np.arange(pages) / pages
+    vertices = np.column_stack([chart[:, 1:] @ np.cos(turn), chart[:, 1:] @ np.sin(turn), chart[:, 0]])
+
+    def between(a: Floats, b: Floats) -> Floats:
+        out, away = a[:, 1:].max(axis=1)[:, None], b[:, 1:].max(axis=1)[None]
+        same = a[:, 1:].argmax(axis=1)[:, None] == b[:, 1:].argmax(axis=1)[None]
+        return np.hypot(steps(a, b)[..., 0], np.where(same, out - away, out + away))
+
+    return shape("book", (vertices, np.vstack([each[faces] for each in ids]).astype(np.int32)), between, chart=chart)

@@ -55,6 +55,8 @@ LENGTHS = [
     surfaces.cone("saddle", _TILTS),
     surfaces.parts(),
     surfaces.repeats(_random),
+    surfaces.hole(),
+    surfaces.book(),
     bumpy(_random),
 ]
 METRICS = metric_surfaces.metrics(_random, next(shape for shape in LENGTHS if shape.name == "saddle"))
