@@ -131,20 +131,9 @@ double PathQuery::expected_length(const RoutedEnds& ends) {
   });
 }
 
-/// For a path no longer than `upper`: lower bounds of the rest are the index's distances less a margin, so
-/// they prove nothing. At edges of three or more faces, they do not hold.
-PathBounds PathQuery::bounds_by_index(const RoutedEnds& ends, double upper) {
-  PathBounds bounds{.upper = upper};
-  if (routes_->data.has_branches) return bounds;
-  bounds.rest = routes_->bounds.fill(ends.from, ends.to, upper);
-  bounds.is_proof = false;
-  return bounds;
-}
-
 /// A refined path, or a shorter one if it may be on the wrong side of something.
-SurfacePath PathQuery::doubted(SurfacePath path, const SurfacePoint& from, const SurfacePoint& to,
-                               const RoutedEnds& ends) {
-  const double expected = expected_length(ends);
+SurfacePath PathQuery::doubted(SurfacePath path, double expected, const SurfacePoint& from,
+                               const SurfacePoint& to) {
   auto take_shorter = [&](SurfacePath other) {
     if (other.length < path.length) path = std::move(other);
   };
@@ -156,7 +145,7 @@ SurfacePath PathQuery::doubted(SurfacePath path, const SurfacePoint& from, const
     take_shorter(exact_.path(from, to, {.upper = path.length, .mask = mask, .is_fixed = true}).path);
   }
   if (path.length > expected * (1.0 + suspicious)) {
-    take_shorter(exact_.path(from, to, bounds_by_index(ends, path.length)).path);
+    take_shorter(exact_.path(from, to, {.upper = path.length}).path);
   }
   return path;
 }
@@ -176,7 +165,7 @@ SurfacePath PathQuery::path(const SurfacePoint& source, const SurfacePoint& targ
     found = std::move(exact->path);
   } else {
     found = refined(from, to, ends);
-    if (!found.points.empty()) found = doubted(std::move(found), from, to, ends);
+    if (!found.points.empty()) found = doubted(std::move(found), expected_length(ends), from, to);
     if (!exact_.is_whole(found, from, to)) {
       found = exact_.path(from, to, {.upper = ends.length() * slack::of_route}).path;
     }
@@ -197,9 +186,14 @@ ExactPath PathQuery::exact_path(const SurfacePoint& source, const SurfacePoint& 
   if (!index_) return path_on_mesh(from, to);
   RoutedEnds ends(routes_->data, from, to);
   if (auto exact = solved(from, to, ends)) return *std::move(exact);
-  const double upper = std::min(refined(from, to, ends).length, ends.length() * slack::of_route);
-  PathBounds bounds = certify ? PathBounds{.upper = upper} : bounds_by_index(ends, upper);
-  if (bounds.rest.empty()) bounds.landmarks = landmarks;
+  PathBounds bounds;
+  bounds.upper = std::min(refined(from, to, ends).length, ends.length() * slack::of_route);
+  if (certify || routes_->data.has_branches) {
+    bounds.landmarks = landmarks;
+  } else {
+    bounds.is_proof = false;
+    bounds.rest = routes_->bounds.fill(ends.from, ends.to, bounds.upper);
+  }
   return exact_.path(from, to, bounds);
 }
 

@@ -69,9 +69,7 @@ class PathQuery {
   void find_route(RoutedEnds& ends);
   SurfacePath refined(const SurfacePoint& from, const SurfacePoint& to, const RoutedEnds& ends);
   double expected_length(const RoutedEnds& ends);
-  PathBounds bounds_by_index(const RoutedEnds& ends, double upper);
-  SurfacePath doubted(SurfacePath path, const SurfacePoint& from, const SurfacePoint& to,
-                      const RoutedEnds& ends);
+  SurfacePath doubted(SurfacePath path, double expected, const SurfacePoint& from, const SurfacePoint& to);
 
   const std::shared_ptr<const GeodesicIndex> index_;           ///< null without one
   const std::shared_ptr<const Mesh> mesh_;                     ///< the user's
