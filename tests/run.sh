@@ -5,9 +5,9 @@
 #   By default what a change needs before it lands: C++ and Python with the newest PyMeshLab, hostile meshes, and the contract,
 #   kernels and files under sanitizers; some 15 minutes on two cores after set-up.
 #   --quick: C++, Python and the newest PyMeshLab alone; some 4 minutes.
-#   --all: also older PyMeshLab versions, the core for arm64 and with libc++, all wheels, recipes, peers' own tests, long fuzzing,
-#     and the real window of MeshLab in both versions. What needs the rights of root (and some 10 GB) is skipped where it cannot be run, with
-#     the reason.
+#   --all: also older PyMeshLab versions, the core for arm64 and with libc++, all wheels, recipes, peers' own tests, long fuzzing, the
+#     thread sanitizer, and the real window of MeshLab in both versions. What needs the rights of root (and some 10 GB) is skipped where
+#     it cannot be run, with the reason.
 # Needs no terminal and may be run as often as you like; what is built is not built again. Logs and results lie in
 # build/test-results. VOROGEO_FUZZ_SECONDS: how long the fuzzer of index files runs (20, with --all 300); that of meshes runs a
 # quarter of it.
@@ -261,6 +261,11 @@ if [ "$quick" = no ]; then
     check "spoilt meshes with sanitizers" tests/fuzz/run.sh --sanitized --count 50 --vertices 25 --spoilt
     wait "$fuzzer"
   fi
+  if [ "$all" = yes ] && check "build of the core with the thread sanitizer" \
+      cmake --build build/release --parallel "$jobs" --target core_tests_threads; then
+    shared='ThreadsContract.*:SharedRun.*:ManyPairs.*:Surface*:Workers.*:Parallel.*:Checkpoint.*:Progress.*'
+    cpp_suite core_tests_threads cpp-threads "--gtest_filter=$shared"
+  fi
 fi
 wait "$newer"
 if [ "$all" = yes ]; then
@@ -272,7 +277,7 @@ if [ "$all" = yes ]; then
   check "source archive and recipes" packaging/check.sh
   rooted_suite debian packaging/build_debian.sh
 else
-  echo "skip what only --all runs: MeshLab's window, PyMeshLab 2022.2 and 2023.12, arm64, libc++, wheels, recipes, long fuzzing" >>"$checks"
+  echo "skip what only --all runs: MeshLab's window, PyMeshLab 2022.2 and 2023.12, arm64, libc++, wheels, recipes, the thread sanitizer, long fuzzing" >>"$checks"
 fi
 [ "$quick" = no ] || echo "skip what --quick leaves out: sanitizers, fuzzers, hostile meshes, the installed library" >>"$checks"
 finish
