@@ -285,8 +285,15 @@ std::uint64_t OutputFile::size() const {
 
 std::string OutputFile::head(std::size_t bytes) const {
   std::string text(bytes, '\0');
-  const std::int64_t found = system::read(descriptor_, std::as_writable_bytes(std::span(text)), 0);
-  text.resize(static_cast<std::size_t>(std::max<std::int64_t>(0, found)));
+  std::size_t known = 0;
+  while (known < bytes) {
+    const auto rest = std::as_writable_bytes(std::span(text)).subspan(known);
+    const std::int64_t found = system::read(descriptor_, rest, known);
+    if (found == -EINTR) continue;
+    if (found <= 0) break;
+    known += static_cast<std::size_t>(found);
+  }
+  text.resize(known);
   return text;
 }
 

@@ -1,9 +1,11 @@
-"""Files that replace their target once they are complete: full disks."""
+"""Files that replace their target once they are complete: full disks, and folders that may not be written to."""
 
 from __future__ import annotations
 
 import os
 import subprocess
+import tempfile
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -47,3 +49,37 @@ def test_a_full_disk_is_an_error_and_the_old_file_stays(index, small_disk):
         index.save(small_disk / "a.vgi")
     assert (small_disk / "a.vgi").read_bytes() == b"old"
     assert sorted(path.name for path in small_disk.iterdir()) == ["a.npy", "a.vgi"]
+
+
+@pytest.fixture
+def read_only_folder():
+    """A folder that the user may not write to; root becomes another user for a while, whom permissions bind."""
+    with tempfile.TemporaryDirectory() as name:  # others may not look into folders of pytest
+        folder = Path(name)
+        folder.chmod(0o555)
+        was_root = os.geteuid() == 0
+        if was_root:
+            os.setegid(65534)
+            os.seteuid(65534)
+        yield folder
+        if was_root:
+            os.seteuid(0)
+            os.setegid(0)
+        folder.chmod(0o755)
+
+
+def test_a_folder_that_may_not_be_written_is_named_and_stays_empty(index, read_only_folder):
+    advice = r" cannot be written \(Permission denied\); check that its folder may be written to, or name another file"
+    asked = []
+    file = read_only_folder / "a.npy"
+    with pytest.raises(vorogeo.FileError, match=rf"out: the file {file}{advice}"):
+        index.distance_matrix(range(20), out=file, progress=lambda *news: asked.append(news))
+    with pytest.raises(vorogeo.FileError, match=rf"out: the file {file}{advice}"):
+        index.fields(range(20), out=file)
+    assert asked == [], "nothing is computed"
+    file = read_only_folder / "a.vgi"
+    with pytest.raises(vorogeo.IndexFileError, match=rf"{file}{advice}"):
+        index.save(file)
+    with pytest.raises(vorogeo.IndexFileError, match=rf"{file}.unfinished{advice}"):
+        vorogeo.GeodesicIndex(*MESH, file=file)
+    assert list(read_only_folder.iterdir()) == []

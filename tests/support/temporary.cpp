@@ -2,6 +2,7 @@
 #include "support/temporary.h"
 
 #include <stdlib.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <fstream>
@@ -37,6 +38,21 @@ FileSizeLimit::FileSizeLimit(rlim_t bytes) : old_handler_(std::signal(SIGXFSZ, S
 FileSizeLimit::~FileSizeLimit() {
   ::setrlimit(RLIMIT_FSIZE, &old_);
   std::signal(SIGXFSZ, old_handler_);
+}
+
+PlainUser::PlainUser(const TemporaryFolder& folder) : was_root_(::geteuid() == 0) {
+  if (!was_root_) return;
+  constexpr unsigned nobody = 65534;
+  bool is_plain = ::lchown((folder / ".").c_str(), nobody, nobody) == 0;
+  for (const std::string& name : folder.files())
+    is_plain = is_plain && ::lchown((folder / name).c_str(), nobody, nobody) == 0;
+  // The real user stays root, to become it again.
+  is_plain = is_plain && ::setegid(nobody) == 0 && ::seteuid(nobody) == 0;
+  if (!is_plain) throw std::runtime_error("Cannot become a user without the rights of root");
+}
+
+PlainUser::~PlainUser() {
+  if (was_root_ && (::seteuid(0) != 0 || ::setegid(0) != 0)) std::abort();
 }
 
 std::string read_bytes(const std::filesystem::path& file) {

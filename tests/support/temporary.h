@@ -1,4 +1,5 @@
-// Folders that vanish with the test, a limit to the size of files, and whole files as strings.
+// Folders that vanish with the test, limits to the size of files and to what the user may do, and whole files
+// as strings.
 #pragma once
 
 #include <sys/resource.h>
@@ -36,6 +37,19 @@ class FileSizeLimit {
  private:
   rlimit old_{};
   void (*old_handler_)(int);
+};
+
+/// As long as it lives, this thread's user is bound by the permissions of files: root becomes 65534, to whom
+/// the folder and what is in it are given.
+class PlainUser {
+ public:
+  explicit PlainUser(const TemporaryFolder& folder);
+  ~PlainUser();
+  PlainUser(const PlainUser&) = delete;
+  PlainUser& operator=(const PlainUser&) = delete;
+
+ private:
+  bool was_root_;
 };
 
 std::string read_bytes(const std::filesystem::path& file);

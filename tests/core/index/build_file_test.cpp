@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -18,8 +22,36 @@
 #include "index/index_file.h"
 #include "support/error.h"
 #include "support/indexes.h"
+#include "support/refusal.h"
 #include "support/shapes.h"
 #include "support/temporary.h"
+
+namespace {
+
+/// Whether files are read and written as over a bad network: interrupted every other time, else in part.
+std::atomic<bool> is_slow = false;
+
+template <class Call>
+ssize_t slowly(std::size_t size, Call&& call) {
+  static std::atomic<unsigned> calls = 0;
+  if (!is_slow) return call(size);
+  const unsigned number = ++calls;
+  if (number % 2 == 0) {
+    errno = EINTR;
+    return -1;
+  }
+  return call(std::min<std::size_t>(size, 1 + 997 * number % 4096));
+}
+
+}  // namespace
+
+/// They replace the system's functions.
+extern "C" ssize_t pread(int file, void* bytes, std::size_t size, off_t at) {
+  return slowly(size, [&](std::size_t part) { return ::syscall(SYS_pread64, file, bytes, part, at); });
+}
+extern "C" ssize_t pwrite(int file, const void* bytes, std::size_t size, off_t at) {
+  return slowly(size, [&](std::size_t part) { return ::syscall(SYS_pwrite64, file, bytes, part, at); });
+}
 
 namespace vorogeo {
 namespace {
@@ -79,6 +111,37 @@ TEST(BuildFile, EqualsASavedIndexInBothForms) {
       index->save(folder / "b.vgi");
       EXPECT_EQ(read_bytes(folder / "b.vgi"), read_bytes(folder / "a.vgi"));
     }
+  }
+}
+
+TEST(BuildFile, AFolderThatMayNotBeWrittenIsNamedBeforeTablesAreFilled) {
+  const TemporaryFolder folder;
+  const Soup soup = test::hills(12, 0.2);
+  const auto index = test::make_index(soup, 3, 3);
+  std::filesystem::permissions(folder / "", std::filesystem::perms(0555));
+  const test::PlainUser user(folder);
+  const std::string reason =
+      " cannot be written (Permission denied); check that its folder may be written to, or name another "
+      "file.";
+  EXPECT_EQ(building(folder / "a.vgi", soup, options_of(3, 3)),
+            "The index file " + (folder / "a.vgi.unfinished").string() + reason);
+  EXPECT_EQ(test::refusal<IndexFileError>([&] { index->save(folder / "a.vgi"); }),
+            "The index file " + (folder / "a.vgi").string() + reason);
+  EXPECT_TRUE(folder.files().empty());
+}
+
+TEST(BuildFile, EqualsASavedIndexWhereFilesAreSlow) {
+  const Soup soup = test::hills(24, 0.2);
+  for (double delta : {0.0, 0.01}) {
+    const TemporaryFolder folder;
+    const IndexOptions options = options_of(3, 4, delta);
+    const std::string expected = saved_bytes(soup, options);
+    is_slow = true;
+    EXPECT_EQ(saved_bytes(soup, options), expected);
+    EXPECT_EQ(building(folder / "a.vgi", soup, options, cancelled_at(8)), "cancelled");
+    EXPECT_EQ(building(folder / "a.vgi", soup, options), "built") << "goes on";
+    is_slow = false;
+    EXPECT_EQ(read_bytes(folder / "a.vgi"), expected);
   }
 }
 

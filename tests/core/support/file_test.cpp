@@ -169,12 +169,32 @@ TEST(OutputFile, WhatIsNoPlainFileIsRefusedAndStays) {
 }
 
 TEST(OutputFile, FilesThatMayNotBeWrittenStay) {
-  if (::geteuid() == 0) GTEST_SKIP() << "this user may write every file";
   const TemporaryFolder folder;
   write_bytes(folder / "a", "old");
   fs::permissions(folder / "a", fs::perms(0440));
+  const test::PlainUser user(folder);
   EXPECT_NE(test::refusal<FileError>([&] { write_file(folder / "a", "x"); }).find("Permission denied"),
             std::string::npos);
+  EXPECT_EQ(read_bytes(folder / "a"), "old");
+  EXPECT_EQ(folder.files(), (std::set<std::string>{"a"}));
+}
+
+TEST(OutputFile, FoldersThatMayNotBeWrittenStayAsTheyAre) {
+  const TemporaryFolder folder;
+  write_bytes(folder / "a", "old");
+  fs::permissions(folder / "", fs::perms(0555));
+  const test::PlainUser user(folder);
+  const std::string reason =
+      " cannot be written (Permission denied); check that its folder may be written to, or name another "
+      "file.";
+  for (const std::string name : {"a", "b"}) {
+    EXPECT_EQ(test::refusal<FileError>([&] { write_file(folder / name, "x"); }),
+              "The file " + (folder / name).string() + reason);
+  }
+  EXPECT_EQ(test::refusal<FileError>([&] { OutputFile(folder / "b", "The file", kept); }),
+            "The file " + (folder / "b.unfinished").string() + reason);
+  EXPECT_EQ(read_bytes(folder / "a"), "old");
+  EXPECT_EQ(folder.files(), (std::set<std::string>{"a"}));
 }
 
 TEST(OutputFile, WhatHasNoRoomIsRefused) {
