@@ -20,6 +20,12 @@ namespace vorogeo::test {
 /// Stands for the scans that costs are compared with.
 inline constexpr unsigned scan_seed = 0;
 
+/// Relative errors of an index above this are findings. Documented errors (docs/figures.md) are those of
+/// usual meshes; here patches have a handful of faces of any shape.
+inline constexpr double greatest_error = 0.5;
+/// The same for quick fields: more than the greatest error measured.
+inline constexpr double greatest_quick_error = 0.01;
+
 class HostileCase {
  public:
   HostileCase(unsigned seed, HostileMesh hostile, HostileTally& tally);
@@ -87,9 +93,12 @@ std::string exactly(double value);
 
 /// Checks two exact fields against the reference, closed forms and their own paths. After make_mesh().
 void check_exact(HostileCase& hostile);
-/// Checks the exact fields against those of the same mesh renumbered, moved and subdivided, and against each
-/// other. After check_exact().
+/// Checks the exact fields against those of the same mesh renumbered, moved, turned and subdivided, and
+/// against each other. After check_exact().
 void check_laws(HostileCase& hostile);
+/// Checks fields of an index, and quick ones, against each other, and those of an index of the same mesh at
+/// another scale.
+void check_index_laws(HostileCase& hostile, const std::shared_ptr<const GeodesicIndex>& index);
 /// Checks fields in other metrics, against exact fields of lengths where these follow. After check_exact().
 void check_metrics(HostileCase& hostile);
 /// Checks fields of the mesh with its gaps bridged. After check_exact().

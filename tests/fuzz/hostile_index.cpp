@@ -13,11 +13,6 @@ namespace vorogeo::test {
 namespace {
 
 constexpr int pairs = 4;
-/// Relative errors of an index above this are findings. Documented errors (docs/figures.md) are those of
-/// usual meshes; here patches have a handful of faces of any shape.
-constexpr double greatest_error = 0.5;
-/// The same for quick fields: more than the greatest error measured.
-constexpr double greatest_quick_error = 0.01;
 
 /// Answers to be compared between the built and the loaded index.
 struct Answers {
@@ -281,6 +276,7 @@ void check_index(HostileCase& hostile) {
   if (hostile.seed == scan_seed) return;
   check.check_threads();
   check.check_quick();
+  check_index_laws(hostile, check.index());
 }
 
 }  // namespace vorogeo::test

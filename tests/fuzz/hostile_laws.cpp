@@ -1,8 +1,10 @@
-// Laws of exact fields on every mesh: another description of the same surface gives the same distances.
+// Laws of fields on every mesh: another description of the same surface gives the same distances, and no
+// detour is shorter.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -11,6 +13,7 @@
 #include "mesh/metric.h"
 #include "support/disjoint_sets.h"
 #include "support/hostile_parts.h"
+#include "support/indexes.h"
 #include "tasks/cut.h"
 
 namespace vorogeo::test {
@@ -40,6 +43,24 @@ Soup moved_exactly(const Soup& soup, HostileRandom& random, double& scale) {
   Soup result = soup;
   for (std::size_t v = 0; v < soup.positions.size(); ++v) {
     for (int i = 0; i < 3; ++i) result.positions[v][i] = factor[i] * soup.positions[v][axis[i]];
+  }
+  return result;
+}
+
+/// The mesh turned about a random axis by a random angle, and shifted by as much as it is far from the
+/// origin.
+Soup turned_and_shifted(const Soup& soup, HostileRandom& random, double farthest) {
+  const Point axis = random.direction();
+  const double angle = random.uniform(0.0, 2.0 * std::numbers::pi);
+  const double sine = std::sin(angle), cosine = std::cos(angle);
+  const Point shift = random.direction();
+  Soup result = soup;
+  for (Point& p : result.positions) {
+    const double along = (1.0 - cosine) * (axis[0] * p[0] + axis[1] * p[1] + axis[2] * p[2]);
+    const Point across{axis[1] * p[2] - axis[2] * p[1], axis[2] * p[0] - axis[0] * p[2],
+                       axis[0] * p[1] - axis[1] * p[0]};
+    for (int i = 0; i < 3; ++i)
+      p[i] = cosine * p[i] + sine * across[i] + along * axis[i] + farthest * shift[i];
   }
   return result;
 }
@@ -98,7 +119,10 @@ Torn torn_along(const CutMesh& cut, std::vector<Point> positions, const std::vec
 class Laws {
  public:
   explicit Laws(HostileCase& hostile)
-      : hostile_(hostile), random_(hostile.seed + (2ULL << 40)), count_(hostile.mesh->vertex_count()) {}
+      : hostile_(hostile),
+        random_(hostile.seed + (2ULL << 40)),
+        turns_(hostile.seed + (7ULL << 40)),
+        count_(hostile.mesh->vertex_count()) {}
 
   void check() {
     check_inequality();
@@ -112,6 +136,13 @@ class Laws {
     double scale = 1.0;
     const Soup moved = moved_exactly(soup, random_, scale);
     check_same("a motion changes a distance", moved, place, scale, 0.0);
+    // Each vertex is rounded by some units in the last place of the greatest coordinate, and with it both
+    // ends of the piece of a path in each face, of which a shortest path has at most one.
+    if (!hostile_.has_outlier()) {
+      const double rounding = 1e-14 * hostile_.farthest * static_cast<double>(soup.faces.size());
+      check_same("a turn changes a distance", turned_and_shifted(soup, turns_, hostile_.farthest), place, 1.0,
+                 rounding);
+    }
     // Midpoints of edges are rounded, by some 1e-16 of their coordinates; a path may cross many.
     check_same("subdivision changes a distance", in_four(soup), place, 1.0, 1e-14 * hostile_.farthest);
     check_constant_cost();
@@ -246,10 +277,75 @@ class Laws {
 
   HostileCase& hostile_;
   HostileRandom random_;  ///< its own, so that the other questions of a seed stay the same
+  HostileRandom turns_;
   Index count_;
 };
 
+/// No detour over the other source is shorter, by more than distances that are off by `error` allow.
+void check_detours(HostileCase& hostile, const std::string& kind,
+                   const std::array<std::vector<double>, 2>& fields, double error) {
+  const auto& [first, second] = fields;
+  const double between = std::min(first[hostile.sources[1]], second[hostile.sources[0]]);
+  hostile.ask(kind + " of vertices " + std::to_string(hostile.sources[0]) + " and " +
+              std::to_string(hostile.sources[1]));
+  const double allowed = (1.0 + error) / (1.0 - error);
+  for (std::size_t v = 0; v < first.size(); ++v) {
+    if (first[v] <= allowed * (second[v] + between + hostile.slack(first[v]))) continue;
+    hostile.fail("a detour is shorter by " + kind, "vertex " + std::to_string(v) + ": " + exactly(first[v]) +
+                                                       ", " + exactly(between) + " and " +
+                                                       exactly(second[v]));
+  }
+}
+
+/// The index of the mesh times a power of 16 gives the same fields, to the last bit. (Graded tables hold
+/// fourth roots, which round otherwise at other powers of two.)
+void check_scaled_index(HostileCase& hostile, const std::array<std::vector<double>, 2>& fields) {
+  HostileRandom random(hostile.seed + (8ULL << 40));
+  // Not on every mesh, as a build takes longer than everything else.
+  if (!random.one_in(4)) return;
+  const double scale = std::ldexp(1.0, 4 * random.between(-5, 5));
+  hostile.ask(hostile.index_text() + "fields at the scale " + exactly(scale));
+  const bool may_leave_range =
+      scale * hostile.mesh->longest_edge_length() > 1e27 || scale * hostile.mesh->mean_edge_length() < 1e-27;
+  hostile.attempt(
+      [&] {
+        const Soup other = scaled(hostile.hostile.soup, scale);
+        const auto mesh = std::make_shared<const Mesh>(other.positions, other.faces);
+        IndexQuery query(GeodesicIndex::build(mesh, hostile.options), 1);
+        for (int i = 0; i < 2; ++i) {
+          const auto field = query.distance_field(std::array{hostile.sources[i]});
+          for (std::size_t v = 0; v < field.size(); ++v) {
+            if (field[v] / scale == fields[i][v]) continue;
+            hostile.fail("a scale changes an index", "vertex " + std::to_string(v) + ": " +
+                                                         exactly(field[v] / scale) + ", not " +
+                                                         exactly(fields[i][v]));
+          }
+        }
+      },
+      may_leave_range);
+}
+
 }  // namespace
+
+void check_index_laws(HostileCase& hostile, const std::shared_ptr<const GeodesicIndex>& index) {
+  hostile.ask("index fields and quick fields of both sources");
+  hostile.attempt([&] {
+    Surface surface(index, 1);
+    const auto fields = [&](Answer by) {
+      std::array<std::vector<double>, 2> found;
+      for (int i = 0; i < 2; ++i) {
+        Answered answered;
+        const std::vector<ExactSource> source = sources_at(std::array{hostile.sources[i]});
+        found[i] = surface.field(source, unreachable, by, answered).distance;
+      }
+      return found;
+    };
+    const auto by_index = fields(Answer::index);
+    check_detours(hostile, "index fields", by_index, greatest_error);
+    check_detours(hostile, "quick fields", fields(Answer::quick), greatest_quick_error);
+    check_scaled_index(hostile, by_index);
+  });
+}
 
 void check_laws(HostileCase& hostile) {
   if (hostile.exact[1].empty()) return;
