@@ -85,6 +85,47 @@ def test_a_tube_unrolls():
     np.testing.assert_allclose(found, prism_distances(12, 6, 3.0, 5), rtol=1e-12, atol=1e-14)
 
 
+def random_mesh(seed):
+    """A grid of random size with noise, with faces taken out, turned over and joined, in random order."""
+    random = np.random.default_rng(seed)
+    vertices, faces = bent_grid(*random.integers(4, 9, 2))
+    vertices += random.choice([0, 0.02, 0.1]) * random.normal(size=vertices.shape)
+    faces = random.permutation(faces[random.random(len(faces)) > random.choice([0, 0.1, 0.4])])
+    faces[::5] = faces[::5, ::-1]
+    if random.random() < 0.3:  # two vertices become one
+        faces[faces == random.integers(len(vertices))] = random.integers(len(vertices))
+    return vertices * 10.0 ** random.integers(-3, 4), faces
+
+
+def test_equals_exact_fields_on_random_meshes():
+    first = np.random.SeedSequence().entropy % 10**9
+    for seed in range(first, first + 50):
+        vertices, faces = random_mesh(seed)
+        count = len(vertices)
+        random = np.random.default_rng(seed)
+        sources, targets = random.integers(0, count, 3), random.integers(0, count, 10)
+        field = vorogeo.exact_distance_field(vertices, faces, sources)
+        found = ours.compute_gdist(vertices, faces + 1, sources, targets, is_one_indexed=True)
+        np.testing.assert_allclose(found, field[targets], rtol=1e-9, err_msg=f"seed {seed}")
+        all_fields = np.array([vorogeo.exact_distance_field(vertices, faces, v) for v in range(count)])
+        finite = all_fields[np.isfinite(all_fields)]
+        limit = float(np.median(finite[finite > 0]))
+        near = np.abs(all_fields - limit) > 1e-9 * limit  # at the limit itself, rounding decides
+        expected = np.where((all_fields <= limit) & near, all_fields, 0)
+        matrix = ours.local_gdist_matrix(vertices, faces, limit).toarray()
+        np.testing.assert_allclose(matrix * near, expected, rtol=1e-9, err_msg=f"seed {seed}")
+        limited = ours.compute_gdist(vertices, faces, targets[:1], max_distance=limit)
+        expected = np.where(all_fields[targets[0]] <= limit, all_fields[targets[0]], np.inf)
+        at = near[targets[0]]
+        np.testing.assert_allclose(limited[at], expected[at], rtol=1e-9, err_msg=f"seed {seed}")
+        points = np.unique(targets)
+        chosen = ours.distance_matrix_of_selected_points(vertices, faces, targets).toarray()
+        expected = np.zeros((count, count))
+        between = all_fields[np.ix_(points, points)]
+        expected[np.ix_(points, points)] = np.where(np.isfinite(between), between, 0)
+        np.testing.assert_allclose(chosen, expected, rtol=1e-9, err_msg=f"seed {seed}")
+
+
 def test_beyond_the_limit_is_infinite_everywhere():
     found = ours.compute_gdist(*FLAT, source_indices=ids(0), max_distance=0.5)
     np.testing.assert_array_equal(np.isinf(found), APART[0] > 0.5)
