@@ -115,7 +115,8 @@ struct SurfaceOptions {
   /// Borders are also joined where the surface turns back.
   bool bridge_folds = false;
   /// Threads used by an index build, a field or a task; 0: one per core. Results do not depend on it, except
-  /// exact fields of large meshes, which threads share: there, up to rounding.
+  /// exact and quick fields of large meshes, which threads share: there, up to rounding, or the errors of
+  /// quick fields.
   int threads = 0;
 };
 
