@@ -5,7 +5,7 @@
 //   vtp_peer MESH FIELDS SOURCE...
 // FIELDS: float64, one field after the other.
 #include <cstring>
-#include <memory>  // for their auto_ptr
+#include <memory>        // for their auto_ptr
 #define sscanf_s sscanf  // their reader of files, which nothing here calls
 #include <geodesic_algorithm_exact.h>
 #include <geodesic_mesh.h>
