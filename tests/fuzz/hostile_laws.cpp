@@ -297,32 +297,33 @@ void check_detours(HostileCase& hostile, const std::string& kind,
   }
 }
 
-/// The index of the mesh times a power of 16 gives the same fields, to the last bit. (Graded tables hold
-/// fourth roots, which round otherwise at other powers of two.)
+/// The index of the mesh times a power of 16 gives the same fields, to the last bit, where single precision
+/// holds the fourth powers of all lengths. (Graded tables hold fourth roots, which round otherwise at other
+/// powers of two.)
 void check_scaled_index(HostileCase& hostile, const std::array<std::vector<double>, 2>& fields) {
   HostileRandom random(hostile.seed + (8ULL << 40));
   // Not on every mesh, as a build takes longer than everything else.
   if (!random.one_in(4)) return;
-  const double scale = std::ldexp(1.0, 4 * random.between(-5, 5));
+  const double scale = std::ldexp(1.0, 4 * random.between(-2, 2));
+  for (Index e = 0; e < hostile.mesh->edge_count(); ++e) {
+    const double length = hostile.mesh->edge_length(e);
+    if (length > 1e4 || (length > 0.0 && length < 1e-4)) return;
+  }
   hostile.ask(hostile.index_text() + "fields at the scale " + exactly(scale));
-  const bool may_leave_range =
-      scale * hostile.mesh->longest_edge_length() > 1e27 || scale * hostile.mesh->mean_edge_length() < 1e-27;
-  hostile.attempt(
-      [&] {
-        const Soup other = scaled(hostile.hostile.soup, scale);
-        const auto mesh = std::make_shared<const Mesh>(other.positions, other.faces);
-        IndexQuery query(GeodesicIndex::build(mesh, hostile.options), 1);
-        for (int i = 0; i < 2; ++i) {
-          const auto field = query.distance_field(std::array{hostile.sources[i]});
-          for (std::size_t v = 0; v < field.size(); ++v) {
-            if (field[v] / scale == fields[i][v]) continue;
-            hostile.fail("a scale changes an index", "vertex " + std::to_string(v) + ": " +
-                                                         exactly(field[v] / scale) + ", not " +
-                                                         exactly(fields[i][v]));
-          }
-        }
-      },
-      may_leave_range);
+  hostile.attempt([&] {
+    const Soup other = scaled(hostile.hostile.soup, scale);
+    const auto mesh = std::make_shared<const Mesh>(other.positions, other.faces);
+    IndexQuery query(GeodesicIndex::build(mesh, hostile.options), 1);
+    for (int i = 0; i < 2; ++i) {
+      const auto field = query.distance_field(std::array{hostile.sources[i]});
+      for (std::size_t v = 0; v < field.size(); ++v) {
+        if (field[v] / scale == fields[i][v]) continue;
+        hostile.fail("a scale changes an index", "vertex " + std::to_string(v) + ": " +
+                                                     exactly(field[v] / scale) + ", not " +
+                                                     exactly(fields[i][v]));
+      }
+    }
+  });
 }
 
 }  // namespace
