@@ -126,21 +126,15 @@ double PairDistance::exact_distance(Index source, Index target, double bound) {
 
 /// Whether near ends are solved by propagation. Where the metric jumps, that takes many times as long as with
 /// windows, so ends in different patches are routed there unless they are close.
-bool PairDistance::is_solved(Index source, Index target, double bound) const {
+bool PairDistance::is_solved(double bound) const {
   if (patches_.empty()) return false;
-  return share_patch_ || !data_.surface.mesh->metric_jumps() || is_close(source, target, bound);
+  return share_patch_ || !data_.surface.mesh->metric_jumps() || is_close(bound);
 }
 
 /// Whether a length is no more than what a near field solves around its source.
-bool PairDistance::is_close(Index source, Index target, double length) const {
+bool PairDistance::is_close(double length) const {
   const double members = static_cast<double>(data_.surface.mesh->vertex_count()) / data_.second.patch_count;
-  double reach = NearField::reach * std::sqrt(members) * data_.surface.mesh->typical_edge_length();
-  for (const Index end : {source, target}) {
-    for_each_patch(data_, end, [&](Index patch, Index) {
-      reach = std::max(reach, NearField::least_certain * data_.longest_piece[patch]);
-    });
-  }
-  return length <= reach;
+  return length <= NearField::reach * std::sqrt(members) * data_.surface.mesh->typical_edge_length();
 }
 
 /// Length of the shortest route of the tables or the graph, unfolded.
@@ -165,11 +159,10 @@ double PairDistance::distance(Index from, Index to) {
   prefetch_end(data_, b);
   const auto [source, target] = std::minmax(a, b);
   const double bound = bound_by_tables(source, target);
-  if (is_solved(source, target, bound)) return exact_distance(source, target, bound);
+  if (is_solved(bound)) return exact_distance(source, target, bound);
   const double routed = route_length(source, target);
   // So short a route crosses borders close to both ends, where the error of a crossing is relatively largest.
-  if (is_close(source, target, routed) && !data_.surface.mesh->has_metric())
-    return exact_distance(source, target, routed);
+  if (is_close(routed) && !data_.surface.mesh->has_metric()) return exact_distance(source, target, routed);
   return routed;
 }
 

@@ -21,8 +21,8 @@ class PairDistance {
  private:
   double bound_by_tables(Index source, Index target);
   std::span<const double> bound_rest(Index target);
-  bool is_solved(Index source, Index target, double bound) const;
-  bool is_close(Index source, Index target, double length) const;
+  bool is_solved(double bound) const;
+  bool is_close(double length) const;
   double exact_distance(Index source, Index target, double bound);
   double route_length(Index source, Index target);
 

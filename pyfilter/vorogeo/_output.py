@@ -59,7 +59,7 @@ def matrix(
             size,
             check.byte_limit(max_bytes),
             f"The matrix of {rows} x {columns} distances",
-            "Give fewer points, a greater max_bytes, dtype='float32', or out='file.npy' to write it to a file.",
+            "Give fewer points, dtype='float32', or out='file.npy' to write it to a file.",
         )
         yield np.empty((rows, columns), entry)
         return

@@ -135,7 +135,7 @@ class MeshLabWindow(Screen):
         parameter = next(entry for entry in self.parameters(dialog) if name_of(entry.label) == label)
         widgets = [widget for widget in parameter.widgets if widget.get_role() in FIELDS]
         if not all(map(self.is_showing, widgets)):
-            self.click(self.find(Atspi.Role.CHECK_BOX, "Show advanced parameters", dialog)[0])
+            self.click(next(node for node in self.nodes(dialog) if node.get_name() == "Show advanced parameters"))
             wait_for(f"the field of {label}", lambda: all(map(self.is_showing, widgets)))
         for widget, value in zip(widgets, values, strict=False):
             if widget.get_role() == Atspi.Role.COMBO_BOX:
