@@ -53,7 +53,7 @@ def test_pairs_within_without_scipy(index, monkeypatch):
 
 def test_memory_is_checked_before_it_is_taken(index):
     assert vorogeo.matrix_bytes(12, 12) == 1152
-    with pytest.raises(MemoryError, match=r"12 x 12.*max_bytes"):
+    with pytest.raises(MemoryError, match=r"12 x 12.*allowed\. Give"):
         index.distance_matrix(POINTS, max_bytes=1151)
     with pytest.raises(vorogeo.InvalidInput, match="out: is an array of float32"):
         index.fields(POINTS[:1], out=np.empty((1, 1200), np.float32), dtype=np.float64)
