@@ -195,14 +195,13 @@ void check_costs(HostileCase& hostile, ScanCosts& scans) {
     hostile.tally.times[i].add(times, hostile.seed);
     hostile.tally.memories[i].add(memories, hostile.seed);
     // Relative to the cost that is allowed.
-    hostile.dearest =
-        std::max({hostile.dearest, times / most_of_a_scan[i].seconds, memories / most_of_a_scan[i].bytes});
+    hostile.dearest = std::max({hostile.dearest, times / most_of_a_scan, memories / most_of_a_scan});
     hostile.ask(hostile.index_text() + step_names[i]);
-    if (cost.seconds > most_of_a_scan[i].seconds * seconds + clock) {
+    if (cost.seconds > most_of_a_scan * seconds + clock) {
       hostile.fail(std::string("time of ") + step_names[i],
                    exactly(cost.seconds) + " s, a scan no smaller takes " + exactly(seconds) + " s");
     }
-    if (cost.bytes > most_of_a_scan[i].bytes * bytes + some_bytes) {
+    if (cost.bytes > most_of_a_scan * bytes + some_bytes) {
       hostile.fail(std::string("memory of ") + step_names[i],
                    exactly(cost.bytes) + " bytes, a scan no smaller takes " + exactly(bytes) + " bytes");
     }

@@ -31,18 +31,9 @@ struct Cost {
 };
 using Costs = std::array<Cost, step_count>;
 
-/// How many times the cost of a scan each step may take on a hostile mesh; more is a finding. Ten, but for
-/// the times of pairs and exact paths: on a scan, tables or short exact runs answer these, while among
-/// needles a run crosses all faces. With 4,000 vertices it takes as long as 50 to 100 answers from tables,
-/// with 50 whose coordinates are rounded to an edge (seeds 746, 893, 936) as long as 20 to 80 short runs.
-inline constexpr Costs most_of_a_scan{{
-    {10.0, 10.0},   // exact field
-    {10.0, 10.0},   // build
-    {10.0, 10.0},   // field
-    {100.0, 10.0},  // pairs
-    {100.0, 10.0},  // exact paths
-    {10.0, 10.0},   // Voronoi regions
-}};
+/// How many times the cost of a scan each step may take on a hostile mesh, in time and in memory; more is a
+/// finding.
+inline constexpr double most_of_a_scan = 10.0;
 
 /// Runs a function and measures it.
 Cost cost_of(const std::function<void()>& run);

@@ -32,7 +32,7 @@ constexpr const char* usage =
     "              repeats another's meshes; these are also machined, cut, decimated, in single precision;\n"
     "              from --first 4000000000 on, meshes are of all kinds\n"
     "  --vertices  size: meshes have half to twice as many (default 60)\n"
-    "  --mixed     sizes of 60, some of 200, 600, 2500 and 6000\n"
+    "  --mixed     sizes of 60, some of 200, 600, 2500, 6000 and 10000\n"
     "  --jobs      processes (default 1)\n"
     "  --seed      one mesh in this process: what a finding names\n"
     "  --no-costs  does not compare time and memory with those of a scan\n"
@@ -66,8 +66,8 @@ int size_of(unsigned seed, const Options& options) {
   constexpr std::array sizes{60, 60, 60, 60, 60,  60,  60,  60,  60,  60,
                              60, 60, 60, 60, 200, 200, 200, 200, 600, 2500};
   // One in 200 is larger, so that threads share a field.
-  const std::size_t draw = HostileRandom(seed).below(200);
-  return draw == 199 ? 6000 : sizes[draw % sizes.size()];
+  const std::size_t draw = HostileRandom(seed).below(400);
+  return draw == 199 ? 6000 : draw == 399 ? 10000 : sizes[draw % sizes.size()];
 }
 
 /// Scales a mesh up to the limits of lengths, or moves corners to any vertex: non-manifold in every way.

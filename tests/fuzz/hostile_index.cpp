@@ -255,7 +255,7 @@ void IndexCheck::check_quick() {
       if (!(field[v] >= 0.0)) hostile_.fail("a negative distance or none", vertex);
       if ((field[v] < unreachable) != (exact < unreachable))
         hostile_.fail("reached or not, against the components", vertex);
-      if (std::abs(field[v] - exact) > greatest_quick_error * exact + hostile_.slack(exact))
+      if (std::abs(field[v] - exact) > greatest_error * exact + hostile_.slack(exact))
         hostile_.fail("a quick field errs", vertex);
       hostile_.note_error(ErrorKind::quick, field[v], exact);
     }
