@@ -183,7 +183,10 @@ if check "build of the C++ tests" build release "-DVOROGEO_VCG_INCLUDE_DIR=$vcg"
   [ ! -x build/release/tests/library_tests ] || suite cpp-library build/release/tests/library_tests "--gtest_output=xml:$results/cpp-library.xml"
   if [ "$quick" = no ]; then
     check "installed library" tests/library/run.sh build/release "$vcg"
-    check "hostile meshes" tests/fuzz/run.sh --count 1000 --vertices 50
+    # With costs, so of seeds that do not change: on these no step takes more than a third of its bound.
+    check "costs of hostile meshes" tests/fuzz/run.sh --first 4294180036 --count 113
+    [ "$all" = no ] || check "hostile meshes with a name" tests/fuzz/run.sh --named
+    check "hostile meshes" tests/fuzz/run.sh --count 400 --vertices 50 --no-costs
     check "hostile meshes of all kinds" tests/fuzz/run.sh --first 4000040000 --count 300 --vertices 50 --no-costs
     check "hostile meshes of today" tests/fuzz/run.sh --count "$meshes_of_today" --of-today --no-costs
     check "large hostile meshes of today" tests/fuzz/run.sh --count 20 --vertices 4000 --of-today --exact-only
