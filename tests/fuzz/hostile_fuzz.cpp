@@ -6,6 +6,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -128,9 +129,14 @@ Measured examine(HostileCase& hostile, const Options& options, ScanCosts* scans)
 
 ScanCosts scan_costs(const Options& options, HostileTally& tally) {
   return ScanCosts([&](const HostileMesh& scan, const IndexOptions& index_options) {
+    // A scan's time is not charged to the mesh that is compared with it, and has no limit.
+    const double started = tally.mesh_seconds - processor_seconds();
+    tally.mesh_seconds = std::numeric_limits<double>::infinity();
     HostileCase hostile(scan_seed, scan, tally);
     hostile.options = index_options;
-    return examine(hostile, options, nullptr);
+    const Measured measured = examine(hostile, options, nullptr);
+    tally.mesh_seconds = started + processor_seconds();
+    return measured;
   });
 }
 
@@ -140,10 +146,12 @@ void examine_seed(unsigned seed, const Options& options, HostileTally& tally, Sc
   tally.seed = seed;
   std::strcpy(tally.question, "generator");
   const int vertices = size_of(seed, options);
+  tally.vertices = vertices;
   std::snprintf(tally.size_argument, sizeof(tally.size_argument), " --vertices %d%s", vertices,
                 options.spoilt ? " --spoilt" : "");
   HostileMesh mesh = hostile_mesh(seed, vertices);
   if (options.spoilt) spoil(mesh, HostileRandom(seed));
+  tally.vertices = std::max(vertices, static_cast<int>(mesh.soup.positions.size()));
   HostileCase hostile(seed, std::move(mesh), tally);
   if (options.spoilt) require_refusals(hostile);
   // An exception of a check itself, as where its reference finds no memory, is a finding as well.
@@ -211,7 +219,7 @@ struct Worker {
     // Read in the opposite order to that in which they are written: see examine_seed().
     const unsigned seed = tally->seed;
     const double seconds = processor_seconds_used() - tally->mesh_seconds;
-    if (seconds > max_mesh_seconds(size_of(seed, options)) && tally->seed == seed && !tally->finished) {
+    if (seconds > max_mesh_seconds(tally->vertices) && tally->seed == seed && !tally->finished) {
       kill(process, SIGKILL);
       waitpid(process, nullptr, 0);
       note_lost(options, "a hang");

@@ -113,12 +113,14 @@ struct KindTally {
 
 /// The counts of one process of a run. It writes them; its parent reads them when it has ended or hangs.
 struct HostileTally {
-  std::atomic<unsigned> seed = 0;        ///< the mesh at work
-  char size_argument[32]{};              ///< what is needed besides --seed to make the same mesh
-  char question[160]{};                  ///< the last question
-  char sentence[512]{};                  ///< the description of the mesh
-  bool finished = false;                 ///< all seeds done
-  std::atomic<double> mesh_seconds = 0;  ///< processor time of the process when the mesh began
+  std::atomic<unsigned> seed = 0;  ///< the mesh at work
+  char size_argument[32]{};        ///< what is needed besides --seed to make the same mesh
+  char question[160]{};            ///< the last question
+  char sentence[512]{};            ///< the description of the mesh
+  bool finished = false;           ///< all seeds done
+  /// Processor time of the process when the mesh began, plus that of scans since; infinite during these.
+  std::atomic<double> mesh_seconds = 0;
+  std::atomic<int> vertices = 0;  ///< of the mesh; those asked for until it is there
   unsigned meshes = 0;
   unsigned refused = 0;  ///< meshes refused in a sentence, with reason
   unsigned findings = 0;
