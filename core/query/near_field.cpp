@@ -83,7 +83,7 @@ void NearField::run(std::span<const ExactSource> sources, double max_distance,
   const double most = most_widened * static_cast<double>(halo_.faces().size());
   double piece = 0.0;
   for (const Index p : patches_) piece = std::max(piece, data_.longest_piece[p]);
-  const double least = std::min(max_distance, nearest_offset + least_certain * piece);
+  const double least = std::min(max_distance, nearest_offset + piece);
   // Each round doubles the faces or is the last.
   while (static_cast<double>(halo_.faces().size()) <= most && solver_.barrier_distance() < least) {
     const std::size_t before = halo_.faces().size();

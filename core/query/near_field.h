@@ -32,12 +32,11 @@ class NearField {
   /// A source nearer to a border edge than this part of the edge has the patch behind it solved, too: right
   /// behind the edge, sums over its ends are so much too long that paths through other patches look shorter.
   static constexpr double near_border_edge = 0.5;
-  /// The halo is widened until no path leaves it within this many lengths of the longest piece of the near
-  /// patches' borders: by the tables, a distance that is shorter than the space between border points is
-  /// mostly error. Around an ordinary patch the edge of the halo is ten or more lengths away; across needles,
-  /// hundreds of faces may be nearer.
-  static constexpr double least_certain = 1.0;
-  /// Limits the time of widening: a halo that has this many times its first faces is not widened again.
+  /// The halo is widened until no path leaves it within the longest piece of the near patches' borders: by
+  /// the tables, a distance that is shorter than the space between border points is mostly error. Around an
+  /// ordinary patch the edge of the halo is ten or more such lengths away; across needles, hundreds of faces
+  /// may be nearer. Limits the time this takes: a halo that has this many times its first faces is not
+  /// widened again.
   static constexpr double most_widened = 16.0;
   /// Growth of the halo with directions. The patches that touch those of the sources are then near as well:
   /// the farther from a source a path is known exactly, the less its direction depends on where it goes on.
