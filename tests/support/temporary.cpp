@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -19,6 +20,7 @@ TemporaryFolder::TemporaryFolder() {
 
 TemporaryFolder::~TemporaryFolder() {
   std::error_code ignored;
+  std::filesystem::permissions(path_, std::filesystem::perms::owner_all, ignored);
   std::filesystem::remove_all(path_, ignored);
 }
 
@@ -40,19 +42,20 @@ FileSizeLimit::~FileSizeLimit() {
   std::signal(SIGXFSZ, old_handler_);
 }
 
-PlainUser::PlainUser(const TemporaryFolder& folder) : was_root_(::geteuid() == 0) {
+PlainUser::PlainUser(const TemporaryFolder& folder) : was_root_(::geteuid() == 0), old_group_(::getegid()) {
   if (!was_root_) return;
   constexpr unsigned nobody = 65534;
-  bool is_plain = ::lchown((folder / ".").c_str(), nobody, nobody) == 0;
+  bool is_given = ::lchown((folder / ".").c_str(), nobody, nobody) == 0;
   for (const std::string& name : folder.files())
-    is_plain = is_plain && ::lchown((folder / name).c_str(), nobody, nobody) == 0;
+    is_given = is_given && ::lchown((folder / name).c_str(), nobody, nobody) == 0;
+  if (!is_given || ::setegid(nobody) != 0) return;
   // The real user stays root, to become it again.
-  is_plain = is_plain && ::setegid(nobody) == 0 && ::seteuid(nobody) == 0;
-  if (!is_plain) throw std::runtime_error("Cannot become a user without the rights of root");
+  is_changed_ = ::seteuid(nobody) == 0;
+  if (!is_changed_ && ::setegid(old_group_) != 0) std::abort();
 }
 
 PlainUser::~PlainUser() {
-  if (was_root_ && (::seteuid(0) != 0 || ::setegid(0) != 0)) std::abort();
+  if (is_changed_ && (::seteuid(0) != 0 || ::setegid(old_group_) != 0)) std::abort();
 }
 
 std::string read_bytes(const std::filesystem::path& file) {

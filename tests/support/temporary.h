@@ -3,6 +3,7 @@
 #pragma once
 
 #include <sys/resource.h>
+#include <sys/types.h>
 
 #include <filesystem>
 #include <set>
@@ -10,7 +11,7 @@
 
 namespace vorogeo::test {
 
-/// A new, empty folder; removed with everything in it at the end.
+/// A new, empty folder; removed with everything in it at the end, also where a test took its rights away.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -39,8 +40,8 @@ class FileSizeLimit {
   void (*old_handler_)(int);
 };
 
-/// As long as it lives, this thread's user is bound by the permissions of files: root becomes 65534, to whom
-/// the folder and what is in it are given.
+/// As long as it lives, this process (all its threads) is bound by the permissions of files: root becomes
+/// user 65534, to whom the folder and what is in it are given.
 class PlainUser {
  public:
   explicit PlainUser(const TemporaryFolder& folder);
@@ -48,9 +49,18 @@ class PlainUser {
   PlainUser(const PlainUser&) = delete;
   PlainUser& operator=(const PlainUser&) = delete;
 
+  /// False where root cannot become that user, as in a container that knows root alone, and stays root.
+  bool is_bound() const { return !was_root_ || is_changed_; }
+
  private:
   bool was_root_;
+  bool is_changed_ = false;
+  gid_t old_group_;
 };
+
+/// Skips the rest of the test where `user` is not bound by permissions.
+#define VOROGEO_NEEDS_BOUND(user) \
+  if (!(user).is_bound()) GTEST_SKIP() << "root cannot become user 65534 here"
 
 std::string read_bytes(const std::filesystem::path& file);
 void write_bytes(const std::filesystem::path& file, const std::string& bytes);

@@ -140,6 +140,7 @@ TEST(IndexFile, FilesThatMayNotBeRead) {
   write_sample(locked);
   std::filesystem::permissions(locked, std::filesystem::perms::none);
   const test::PlainUser user(folder);
+  VOROGEO_NEEDS_BOUND(user);
   EXPECT_EQ(reading(locked), "Cannot open the index file " + locked.string() +
                                  " (Permission denied); check that you may read it.");
 }

@@ -173,6 +173,7 @@ TEST(OutputFile, FilesThatMayNotBeWrittenStay) {
   write_bytes(folder / "a", "old");
   fs::permissions(folder / "a", fs::perms(0440));
   const test::PlainUser user(folder);
+  VOROGEO_NEEDS_BOUND(user);
   EXPECT_NE(test::refusal<FileError>([&] { write_file(folder / "a", "x"); }).find("Permission denied"),
             std::string::npos);
   EXPECT_EQ(read_bytes(folder / "a"), "old");
@@ -184,6 +185,7 @@ TEST(OutputFile, FoldersThatMayNotBeWrittenStayAsTheyAre) {
   write_bytes(folder / "a", "old");
   fs::permissions(folder / "", fs::perms(0555));
   const test::PlainUser user(folder);
+  VOROGEO_NEEDS_BOUND(user);
   const std::string reason =
       " cannot be written (Permission denied); check that its folder may be written to, or name another "
       "file.";
