@@ -1,8 +1,10 @@
 // Building an index: statistics, refusals, warnings, estimates, memory budgets, patches.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <regex>
@@ -57,6 +59,47 @@ TEST(GeodesicIndex, StatisticsSayWhatIsThere) {
   }
   EXPECT_EQ(statistics.first_layer_border_vertices, first);
   EXPECT_EQ(statistics.second_layer_border_vertices, second);
+}
+
+TEST(GeodesicIndex, TheLongestPieceOfABorderIsTheGreatestGapBetweenItsPoints) {
+  // Cells of 0.8 x 0.25 in three patches: the left half, and the right one below and above y = 1. Edges
+  // between the latter two are long for their patches, so they have points inside.
+  IndexData data;
+  data.mesh = test::make_mesh(test::plane_grid(10, 8, 8.0, 2.0).soup);
+  data.partition.first_layer.assign(data.mesh->face_count(), 0);
+  data.partition.first_layer_count = 1;
+  data.partition.parent.assign(3, 0);
+  data.partition.second_layer_count = 3;
+  for (Index f = 0; f < data.mesh->face_count(); ++f) {
+    double x = 0.0;
+    double y = 0.0;
+    for (Index v : data.mesh->face_vertices(f)) {
+      x += data.mesh->position(v)[0] / 3.0;
+      y += data.mesh->position(v)[1] / 3.0;
+    }
+    data.partition.second_layer.push_back(x < 4.0 ? 0 : (y < 1.0 ? 1 : 2));
+  }
+  data.lay_out(1, {});
+  ASSERT_EQ(data.longest_piece.size(), 3U);
+  // The borders are straight lines along the axes, the second and third with a corner at (4, 1): these sums
+  // grow along them as their lengths do.
+  const std::array<std::array<double, 2>, 3> along{{{0.0, 1.0}, {1.0, 1.0}, {1.0, -1.0}}};
+  for (Index p = 0; p < 3; ++p) {
+    std::set<double> at;
+    for (Index node : data.second.nodes(p)) {
+      const Point& place = data.node_position[node];
+      at.insert(along[p][0] * place[0] + along[p][1] * place[1]);
+    }
+    double greatest = 0.0;
+    for (auto it = std::next(at.begin()); it != at.end(); ++it)
+      greatest = std::max(greatest, *it - *std::prev(it));
+    EXPECT_NEAR(data.longest_piece[p], greatest, 1e-12) << p;
+  }
+  EXPECT_NEAR(data.longest_piece[0], 0.25, 1e-12);
+  EXPECT_GT(data.longest_piece[1], 0.25) << "pieces of the edges of 0.8";
+  EXPECT_LT(data.longest_piece[1], 0.5) << "which have points inside";
+  const auto whole = test::make_index(test::icosphere(1), 1, 1);
+  EXPECT_EQ(whole->data().longest_piece, std::vector<double>{0.0}) << "no border";
 }
 
 TEST(GeodesicIndex, Refusals) {
