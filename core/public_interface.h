@@ -152,6 +152,30 @@ struct Asked {
   }
 };
 
+/// Both ends of k pairs; one point goes with each of k.
+struct Pairs {
+  /// \throw InvalidInput for lists of other sizes, or a vertex or face that does not exist.
+  Pairs(const Asked& at, const PointList& from, const PointList& to)
+      : sources(repeated(at, from, to.size(), "Source")), targets(repeated(at, to, from.size(), "Target")) {
+    if (sources.size() == targets.size()) return;
+    throw InvalidInput("There are " + std::to_string(from.size()) + " points to start from and " +
+                       std::to_string(to.size()) + " to go to; give as many of both.");
+  }
+  PointPairs pairs() const { return {sources, targets}; }
+
+  inner::PointList sources;
+  inner::PointList targets;
+
+ private:
+  /// One that is alone is checked here: beside an empty list, no copy of it goes on to the question.
+  static inner::PointList repeated(const Asked& at, const PointList& points, std::size_t count,
+                                   const char* role) {
+    inner::PointList given = at.in(points);
+    if (given.size() != 1) return given;
+    return std::vector(count, points_on(at.mesh, given, role)[0]);
+  }
+};
+
 /// Calls body(asked) for the surface as it is now.
 template <class Options, class Body>
 auto ask(const Surface& surface, const Options& options, Body&& body) {

@@ -193,34 +193,9 @@ double Surface::distance(const SurfacePoint& from, const SurfacePoint& to, Answe
   });
 }
 
-namespace {
-
-/// Both ends of k pairs; one point goes with each of k.
-struct Pairs {
-  /// \throw InvalidInput for lists of other sizes, or a vertex or face that does not exist.
-  Pairs(const Mesh& mesh, const PointList& from, const PointList& to)
-      : sources(points_in(mesh, repeated(from, to.size()))),
-        targets(points_in(mesh, repeated(to, from.size()))) {
-    if (sources.size() == targets.size()) return;
-    throw InvalidInput("There are " + std::to_string(from.size()) + " points to start from and " +
-                       std::to_string(to.size()) + " to go to; give as many of both.");
-  }
-  PointPairs pairs() const { return {sources, targets}; }
-
-  inner::PointList sources;
-  inner::PointList targets;
-
- private:
-  static PointList repeated(const PointList& points, std::size_t count) {
-    return points.size() == 1 ? PointList(std::vector(count, points[0])) : points;
-  }
-};
-
-}  // namespace
-
 std::vector<double> Surface::distances(const PointList& from, const PointList& to, Answer by) const {
   return ask(*this, TaskOptions{by}, [&](Asked& at) {
-    return at.surface.distances(Pairs(at.mesh, from, to).pairs(), at.options.by, at.answered);
+    return at.surface.distances(Pairs(at, from, to).pairs(), at.options.by, at.answered);
   });
 }
 
@@ -236,7 +211,7 @@ Path Surface::path(const SurfacePoint& from, const SurfacePoint& to, const PathO
 std::vector<Path> Surface::paths(const PointList& from, const PointList& to,
                                  const PathOptions& options) const {
   return ask(*this, options, [&](Asked& at) {
-    const Pairs ends(at.mesh, from, to);
+    const Pairs ends(at, from, to);
     std::vector<Path> paths;
     for (const auto& one :
          at.surface.paths(ends.pairs(), at.options.by, {.exact = options.exact, .certify = options.certify},

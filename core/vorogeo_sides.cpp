@@ -30,7 +30,7 @@ std::vector<double> signed_distance(const Surface& surface, const std::vector<bo
 DistanceGradient distance_gradient(const Surface& surface, const PointList& from, const PointList& to,
                                    const TaskOptions& options) {
   return ask(surface, options, [&](const Asked& at) {
-    return distance_gradient(at.surface, {at.in(from), at.in(to)}, at.options);
+    return distance_gradient(at.surface, Pairs(at, from, to).pairs(), at.options);
   });
 }
 

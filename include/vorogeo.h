@@ -669,9 +669,9 @@ VOROGEO_API std::vector<double> signed_distance(const Surface& surface,
 VOROGEO_API std::vector<double> signed_distance(const Surface& surface, const std::vector<bool>& in_region,
                                                 const SignedDistanceOptions& options = {});
 
-/// The gradient of exact distances between points that keep their weights in their faces. Where several paths
-/// are shortest, it is that of one of them; it has no entries where both points are one, or no path leads.
-/// \throw InvalidInput with a metric.
+/// The gradient of exact distances of pairs, which are those of Surface::distances(), between points that
+/// keep their weights in their faces. Where several paths are shortest, it is that of one of them; it has no
+/// entries where both points are one, or no path leads. \throw InvalidInput with a metric.
 VOROGEO_API DistanceGradient distance_gradient(const Surface& surface, const PointList& from,
                                                const PointList& to, const TaskOptions& options = {});
 

@@ -152,6 +152,14 @@ TEST(Library, OnePointGoesWithEachOfMany) {
     }
   }
   EXPECT_TRUE(surface.distances(0, {}).empty());
+  const SurfacePoint nowhere(0, {2.0, 0.0, 0.0});
+  const int bad = surface.vertex_count();
+  const auto missing = sentence_of<vorogeo::InvalidInput>([&] { surface.distances_from(bad); });
+  EXPECT_NE(missing, "not refused");
+  EXPECT_EQ(sentence_of<vorogeo::InvalidInput>([&] { surface.distances(bad, {}); }), missing);
+  EXPECT_EQ(sentence_of<vorogeo::InvalidInput>([&] { surface.distances({}, bad); }), missing);
+  EXPECT_EQ(sentence_of<vorogeo::InvalidInput>([&] { surface.paths(bad, {}); }), missing);
+  EXPECT_NE(sentence_of<vorogeo::InvalidInput>([&] { surface.distances(nowhere, {}); }), "not refused");
   const std::string sentence = "There are 2 points to start from and 3 to go to; give as many of both.";
   EXPECT_EQ(sentence_of<vorogeo::InvalidInput>([&] { surface.distances({0, 1}, many); }), sentence);
   EXPECT_EQ(sentence_of<vorogeo::InvalidInput>([&] { surface.paths({0, 1}, many); }), sentence);
@@ -237,6 +245,8 @@ TEST(Library, DerivativesCutLociAndTexturesAreThoseOnThePaper) {
   const auto found = vorogeo::distance_gradient(surface, {from, from}, {to, from});
   EXPECT_NEAR(found.distance[0], 13.0 / squares, 1e-12);
   EXPECT_EQ(found.distance[1], 0.0);
+  EXPECT_EQ(vorogeo::distance_gradient(surface, from, {to, from}).gradient, found.gradient);
+  EXPECT_EQ(vorogeo::distance_gradient(surface, {to, from}, from).distance, found.distance);
   double scaled = 0.0;
   for (std::size_t i = 0; i < found.pair.size(); ++i) {
     EXPECT_EQ(found.pair[i], 0);
