@@ -81,17 +81,17 @@ void fill_data(IndexData& data, const IndexOptions& options, BuildFile* file, co
   data.head.numbers[IndexHead::form] = form == IndexForm::graph ? 1 : 0;
   data.head.numbers[IndexHead::layout] = checksum_of_layout(data);
   require_memory_for_tables(data, form, file != nullptr);
-  TableRooms rooms;
+  TableSpaces spaces;
   {
     const Watch watch(progress.part(0.1, 0.1), "Taking room for the tables");
-    rooms = file != nullptr ? file->rooms(data) : rooms_in_memory(data);
+    spaces = file != nullptr ? file->spaces(data) : spaces_in_memory(data);
   }
   data.statistics.expected_fields =
-      fill_local_tables(data, rooms.second, options.threads, progress.part(0.1, 0.8));
-  compose_tables(data, rooms.first, options.threads, progress.part(0.8, 0.85));
+      fill_local_tables(data, spaces.second, options.threads, progress.part(0.1, 0.8));
+  compose_tables(data, spaces.first, options.threads, progress.part(0.8, 0.85));
   if (form == IndexForm::tables) {
     data.transit_table =
-        make_transit_table(data.first, rooms.transit, options.threads, progress.part(0.85, 0.98));
+        make_transit_table(data.first, spaces.transit, options.threads, progress.part(0.85, 0.98));
     data.access_bounds = make_access_bounds(data);
   } else {
     data.graph = make_transit_graph(data.first, delta_of_arcs(data, options.delta), options.threads,

@@ -393,12 +393,12 @@ std::span<T> part_of_file(std::span<std::byte> bytes, std::uint64_t begin, std::
 
 }  // namespace
 
-TableRooms rooms_in_memory(const IndexData& data) {
-  TableRooms rooms;
-  rooms.second = TableRoom(data.second.table_begin.back(), data.second.patch_count);
-  rooms.first = TableRoom(data.first.table_begin.back(), data.first.patch_count);
-  if (data.form() == IndexForm::tables) rooms.transit = TransitRoom(data.first);
-  return rooms;
+TableSpaces spaces_in_memory(const IndexData& data) {
+  TableSpaces spaces;
+  spaces.second = TableSpace(data.second.table_begin.back(), data.second.patch_count);
+  spaces.first = TableSpace(data.first.table_begin.back(), data.first.patch_count);
+  if (data.form() == IndexForm::tables) spaces.transit = TransitSpace(data.first);
+  return spaces;
 }
 
 /// The beginning of an unfinished file.
@@ -510,7 +510,7 @@ std::unique_ptr<IndexData> BuildFile::complete(const std::shared_ptr<const Mesh>
   return data;
 }
 
-TableRooms BuildFile::rooms(const IndexData& data) {
+TableSpaces BuildFile::spaces(const IndexData& data) {
   const Layout layout(data);
   Head head;
   head.index = data.head;
@@ -544,21 +544,22 @@ TableRooms BuildFile::rooms(const IndexData& data) {
   // The head comes last, when what it stands for is there: space, and records of which none is filled.
   if (!is_begun_) std::memcpy(bytes.data(), &head, sizeof(head));
   is_begun_ = true;
-  TableRooms rooms;
+  TableSpaces spaces;
   const auto owner = out_->mapping();
-  auto room = [&](std::uint64_t begin, std::uint64_t count, std::uint64_t records, std::uint64_t parts) {
-    return TableRoom(part_of_file<std::uint16_t>(bytes, begin, count),
-                     part_of_file<PartRecord>(bytes, records, parts), owner);
+  auto space = [&](std::uint64_t begin, std::uint64_t count, std::uint64_t records, std::uint64_t parts) {
+    return TableSpace(part_of_file<std::uint16_t>(bytes, begin, count),
+                      part_of_file<PartRecord>(bytes, records, parts), owner);
   };
-  rooms.second =
-      room(layout.second, data.second.table_begin.back(), layout.second_parts, data.second.patch_count);
-  rooms.first = room(layout.first, data.first.table_begin.back(), layout.first_parts, data.first.patch_count);
-  rooms.transit.table = room(layout.transit, layout.entries, 0, 0);
-  rooms.transit.rows = room(layout.rows, layout.entries, layout.batches, layout.batch_count);
-  rooms.transit.least = part_of_file<float>(bytes, layout.least, layout.group_count * layout.group_count);
-  rooms.transit.scale = part_of_file<TableScale>(bytes, layout.unit, layout.group_count);
-  rooms.transit.owner = owner;
-  return rooms;
+  spaces.second =
+      space(layout.second, data.second.table_begin.back(), layout.second_parts, data.second.patch_count);
+  spaces.first =
+      space(layout.first, data.first.table_begin.back(), layout.first_parts, data.first.patch_count);
+  spaces.transit.table = space(layout.transit, layout.entries, 0, 0);
+  spaces.transit.rows = space(layout.rows, layout.entries, layout.batches, layout.batch_count);
+  spaces.transit.least = part_of_file<float>(bytes, layout.least, layout.group_count * layout.group_count);
+  spaces.transit.scale = part_of_file<TableScale>(bytes, layout.unit, layout.group_count);
+  spaces.transit.owner = owner;
+  return spaces;
 }
 
 void BuildFile::finish(IndexData& data) {

@@ -180,14 +180,14 @@ std::unique_ptr<IndexData> read_index(IndexFileReader& in, const std::filesystem
 // records of which are filled
 
 /// Where the tables of an index are filled.
-struct TableRooms {
-  TableRoom second;
-  TableRoom first;
-  TransitRoom transit;
+struct TableSpaces {
+  TableSpace second;
+  TableSpace first;
+  TransitSpace transit;
 };
 
-/// Rooms in memory for an index that is laid out.
-TableRooms rooms_in_memory(const IndexData& data);
+/// Spaces in memory for an index that is laid out.
+TableSpaces spaces_in_memory(const IndexData& data);
 
 /// Until it is finished the file is called NAME.unfinished and is no index file: it begins with a head of its
 /// own, which names the mesh and the options. A build that is stopped, be it by kill -9, leaves it for the
@@ -205,7 +205,7 @@ class BuildFile {
   std::unique_ptr<IndexData> complete(const std::shared_ptr<const Mesh>& mesh);
   /// Takes the space for an index that is laid out, and returns where its tables are filled. \throw
   /// IndexFileError also if the disk is too full, which leaves no file.
-  TableRooms rooms(const IndexData& data);
+  TableSpaces spaces(const IndexData& data);
   /// Writes what is not in the file yet, and puts it in its place.
   void finish(IndexData& data);
 

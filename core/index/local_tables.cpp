@@ -28,7 +28,7 @@ namespace vorogeo {
 
 namespace {
 
-/// Memory of a room that is not in a file.
+/// Memory of a space that is not in a file.
 struct OwnMemory {
   OwnMemory(std::size_t entry_count, std::size_t part_count)
       : entries(new std::uint16_t[entry_count]), parts(part_count) {}
@@ -36,7 +36,7 @@ struct OwnMemory {
   std::vector<PartRecord> parts;
 };
 
-std::uint64_t checksum_of(TableRoom::Contents contents) {
+std::uint64_t checksum_of(TableSpace::Contents contents) {
   std::uint64_t sum = 0;
   for (const auto& piece : contents) sum = std::rotl(sum, 1) ^ block_checksum(piece);
   return sum;
@@ -44,25 +44,25 @@ std::uint64_t checksum_of(TableRoom::Contents contents) {
 
 }  // namespace
 
-TableRoom::TableRoom(std::size_t entries, std::size_t parts) {
+TableSpace::TableSpace(std::size_t entries, std::size_t parts) {
   auto memory = std::make_shared<OwnMemory>(entries, parts);
   entries_ = {memory->entries.get(), entries};
   parts_ = memory->parts;
   owner_ = std::move(memory);
 }
 
-TableRoom::TableRoom(std::span<std::uint16_t> entries, std::span<PartRecord> parts,
-                     std::shared_ptr<const void> owner)
+TableSpace::TableSpace(std::span<std::uint16_t> entries, std::span<PartRecord> parts,
+                       std::shared_ptr<const void> owner)
     : entries_(entries), parts_(parts), owner_(std::move(owner)), in_file_(true) {}
 
-bool TableRoom::holds(std::size_t part, Contents contents) const {
+bool TableSpace::holds(std::size_t part, Contents contents) const {
   PartRecord& record = parts_[part];
   if (record.filled == 1 && in_file_ && checksum_of(contents) == record.checksum) return true;
   record.filled = 0;
   return false;
 }
 
-void TableRoom::note_filled(std::size_t part, Contents contents, TableScale scale, bool complete) const {
+void TableSpace::note_filled(std::size_t part, Contents contents, TableScale scale, bool complete) const {
   PartRecord& record = parts_[part];
   if (in_file_) record.checksum = checksum_of(contents);
   record.scale = scale;
@@ -264,10 +264,10 @@ std::int64_t greatest_draft_bytes(const PatchLayer& layer, std::span<const Index
   return greatest;
 }
 
-TableFiller::TableFiller(PatchLayer& layer, TableRoom room, std::span<const Index> groups, Closure closure,
+TableFiller::TableFiller(PatchLayer& layer, TableSpace space, std::span<const Index> groups, Closure closure,
                          int threads, const Progress& progress)
     : layer_(layer),
-      room_(std::move(room)),
+      space_(std::move(space)),
       groups_(groups),
       closure_(closure),
       missing_(layer.patch_count),
@@ -276,13 +276,13 @@ TableFiller::TableFiller(PatchLayer& layer, TableRoom room, std::span<const Inde
   layer.complete.assign(layer.patch_count, 1);
   layer.offset.clear();
   std::vector<std::uint8_t> held(layer.patch_count, 0);
-  const Index in_file = room_.in_file() ? layer.patch_count : 0;
+  const Index in_file = space_.in_file() ? layer.patch_count : 0;
   parallel_for(in_file, threads, progress, "Checking the tables that are there", [&](std::size_t p, int) {
     const std::span<const std::byte> contents = std::as_bytes(entries_of(static_cast<Index>(p)));
-    if (!room_.holds(p, {&contents, 1})) return;
+    if (!space_.holds(p, {&contents, 1})) return;
     held[p] = 1;
-    layer.scale[p] = room_.part(p).scale;
-    layer.complete[p] = room_.part(p).complete == 1 ? 1 : 0;
+    layer.scale[p] = space_.part(p).scale;
+    layer.complete[p] = space_.part(p).complete == 1 ? 1 : 0;
   });
   for (Index group : groups_in_wave(layer, groups)) {
     bool wanted = false;
@@ -296,8 +296,8 @@ TableFiller::TableFiller(PatchLayer& layer, TableRoom room, std::span<const Inde
 }
 
 std::span<std::uint16_t> TableFiller::entries_of(Index patch) const {
-  return room_.entries().subspan(layer_.table_begin[patch],
-                                 layer_.table_begin[patch + 1] - layer_.table_begin[patch]);
+  return space_.entries().subspan(layer_.table_begin[patch],
+                                  layer_.table_begin[patch + 1] - layer_.table_begin[patch]);
 }
 
 void TableFiller::begin(Index group) {
@@ -325,7 +325,7 @@ void TableFiller::write(Index patch) {
   // Records hold no offsets: a build that goes on solves the few patches with outliers again.
   if (units.offset.empty()) {
     const std::span<const std::byte> contents = std::as_bytes(entries);
-    room_.note_filled(patch, {&contents, 1}, units.scale, units.complete);
+    space_.note_filled(patch, {&contents, 1}, units.scale, units.complete);
   }
   const std::lock_guard lock(setting_);
   set_units(layer_, patch, units);
@@ -441,12 +441,12 @@ std::int64_t local_draft_bytes(const PatchLayer& layer) {
   return greatest_draft_bytes(layer, group_by_patches(layer, nodes_per_group));
 }
 
-double fill_local_tables(IndexData& data, const TableRoom& room, int threads, const Progress& progress) {
+double fill_local_tables(IndexData& data, const TableSpace& space, int threads, const Progress& progress) {
   PatchLayer& layer = data.second;
   // Small groups, so that progress is steady and all threads have work even when there are few patches.
   const std::vector<Index> groups = group_by_patches(layer, nodes_per_group);
   const Progress before = progress.part(0.005, 0.01);
-  TableFiller tables(layer, room, groups, TableFiller::Closure::closed, threads, progress.part(0.0, 0.005));
+  TableFiller tables(layer, space, groups, TableFiller::Closure::closed, threads, progress.part(0.0, 0.005));
   PerWorker<GroupSolver> solvers(threads);
   double fields = 0.0;
   if (!tables.left().empty()) {
@@ -470,7 +470,7 @@ std::int64_t composed_draft_bytes(const PatchLayer& first) {
   return greatest_draft_bytes(first, group_by_patches(first, nodes_per_leader));
 }
 
-void compose_tables(IndexData& data, const TableRoom& room, int threads, const Progress& progress) {
+void compose_tables(IndexData& data, const TableSpace& space, int threads, const Progress& progress) {
   PatchLayer& first = data.first;
   const PatchLayer& second = data.second;
   constexpr const char* phase = "Composing first-layer tables";
@@ -481,7 +481,7 @@ void compose_tables(IndexData& data, const TableRoom& room, int threads, const P
     std::vector<std::uint8_t> allowed;
   };
   const std::vector<Index> led = group_by_patches(first, nodes_per_leader);
-  TableFiller tables(first, room, led, TableFiller::Closure::symmetric, threads, progress.part(0.0, 0.05));
+  TableFiller tables(first, space, led, TableFiller::Closure::symmetric, threads, progress.part(0.0, 0.05));
   PerWorker<Scratch> scratch(threads);
   tables.fill(threads, progress, 0.05, phase, [&](Index leader, int worker) {
     Scratch& own = scratch.of(worker, second);

@@ -32,13 +32,14 @@ struct PartRecord {
 static_assert(sizeof(PartRecord) == 16);
 
 /// Entries and records of parts, which workers fill independently of each other.
-class TableRoom {
+class TableSpace {
  public:
-  TableRoom() = default;
+  TableSpace() = default;
   /// In memory, with nothing filled. Pages that are never written take no memory.
-  TableRoom(std::size_t entries, std::size_t parts);
+  TableSpace(std::size_t entries, std::size_t parts);
   /// In a file, which `owner` keeps mapped; parts marked as filled come from an earlier build.
-  TableRoom(std::span<std::uint16_t> entries, std::span<PartRecord> parts, std::shared_ptr<const void> owner);
+  TableSpace(std::span<std::uint16_t> entries, std::span<PartRecord> parts,
+             std::shared_ptr<const void> owner);
 
   std::span<std::uint16_t> entries() const { return entries_; }
   /// Whether its contents can come from an earlier build.
@@ -121,10 +122,10 @@ class TableFiller {
   /// What is done with a draft before it is written.
   enum class Closure { symmetric, closed };
 
-  /// `groups`: nodes whose runs are made together, as from group_by_patches(). Parts of the room that an
+  /// `groups`: nodes whose runs are made together, as from group_by_patches(). Parts of the space that an
   /// earlier build filled are checked and kept. \throw Cancelled.
-  TableFiller(PatchLayer& layer, TableRoom room, std::span<const Index> groups, Closure closure, int threads,
-              const Progress& progress);
+  TableFiller(PatchLayer& layer, TableSpace space, std::span<const Index> groups, Closure closure,
+              int threads, const Progress& progress);
 
   /// The groups that are left to be run, in the order in which they should be.
   std::span<const Index> left() const { return left_; }
@@ -139,7 +140,7 @@ class TableFiller {
       work(left_[item], worker);
       finish(left_[item]);
     });
-    layer_.table = room_.shared();
+    layer_.table = space_.shared();
   }
   /// Writes a row into the drafts of all patches of a node whose tables are not filled already:
   /// distance(member) for each of their members.
@@ -163,7 +164,7 @@ class TableFiller {
   void write(Index patch);
 
   PatchLayer& layer_;
-  TableRoom room_;
+  TableSpace space_;
   std::span<const Index> groups_;
   Closure closure_;
   std::vector<Index> left_;
@@ -189,8 +190,8 @@ double expected_table_seconds(const IndexData& data, const Progress& progress);
 /// Fills the tables of the second layer of a laid out index by exact propagation from each border node inside
 /// its patches and their halo. If a few runs show that all take as long as many exact fields of the mesh
 /// (fields_to_warn), warns before it begins and returns how many; otherwise returns 0. Patches whose tables
-/// the room holds already are left as they are.
-double fill_local_tables(IndexData& data, const TableRoom& room, int threads, const Progress& progress);
+/// the space holds already are left as they are.
+double fill_local_tables(IndexData& data, const TableSpace& space, int threads, const Progress& progress);
 
 /// The most memory that tables which are not yet written take while they are filled, in bytes.
 std::int64_t local_draft_bytes(const PatchLayer& layer);
@@ -199,8 +200,8 @@ std::int64_t local_draft_bytes(const PatchLayer& layer);
 
 /// Fills the tables of the first layer: from each of its border nodes to the second-layer nodes in its
 /// patches, by a search over the second layer inside these patches and the second-layer patches that touch
-/// them. Patches whose tables the room holds already are left as they are.
-void compose_tables(IndexData& data, const TableRoom& room, int threads, const Progress& progress);
+/// them. Patches whose tables the space holds already are left as they are.
+void compose_tables(IndexData& data, const TableSpace& space, int threads, const Progress& progress);
 
 /// The most memory that tables which are not yet written take while they are composed, in bytes.
 std::int64_t composed_draft_bytes(const PatchLayer& first);

@@ -223,14 +223,14 @@ TableScale set_rows(const TransitTable& table, std::span<std::uint16_t> entries,
 
 /// Makes the distances between two groups equal in both directions, by their mean, as unfolding may err to
 /// either side; on the scale of the whole table.
-void make_symmetric(TransitTable& table, const TransitRoom& room, Index a, Index b) {
+void make_symmetric(TransitTable& table, const TransitSpace& space, Index a, Index b) {
   const auto groups = static_cast<std::size_t>(table.group_count());
   const Index height = table.size(a);
   const Index width = table.size(b);
-  const std::uint16_t* forth = room.rows.entries().data() + table.cell_begin(a, b);
-  const std::uint16_t* back = room.rows.entries().data() + table.cell_begin(b, a);
-  const float least_forth = room.least[a * groups + b];
-  const float least_back = room.least[b * groups + a];
+  const std::uint16_t* forth = space.rows.entries().data() + table.cell_begin(a, b);
+  const std::uint16_t* back = space.rows.entries().data() + table.cell_begin(b, a);
+  const float least_forth = space.least[a * groups + b];
+  const float least_back = space.least[b * groups + a];
   std::array<double, static_cast<std::size_t>(TransitTable::group_size) * TransitTable::group_size> mean;
   double least = unreachable_float;
   for (Index i = 0; i < height; ++i) {
@@ -240,14 +240,14 @@ void make_symmetric(TransitTable& table, const TransitRoom& room, Index a, Index
       double& value = mean[i * width + j];
       value = one == TransitTable::infinite_entry || other == TransitTable::infinite_entry
                   ? unreachable_float
-                  : 0.5 * (static_cast<double>(least_forth) + room.scale[a].distance(one) + least_back +
-                           room.scale[b].distance(other));
+                  : 0.5 * (static_cast<double>(least_forth) + space.scale[a].distance(one) + least_back +
+                           space.scale[b].distance(other));
       least = std::min(least, value);
     }
   }
   table.least[a * groups + b] = table.least[b * groups + a] = static_cast<float>(least);
-  std::uint16_t* forth_to = room.table.entries().data() + table.cell_begin(a, b);
-  std::uint16_t* back_to = room.table.entries().data() + table.cell_begin(b, a);
+  std::uint16_t* forth_to = space.table.entries().data() + table.cell_begin(a, b);
+  std::uint16_t* back_to = space.table.entries().data() + table.cell_begin(b, a);
   for (Index i = 0; i < height; ++i) {
     for (Index j = 0; j < width; ++j) {
       const double value = mean[i * width + j];
@@ -266,14 +266,14 @@ struct Batch {
   std::span<float> least;
   std::span<TableScale> scale;
 
-  Batch(const TransitTable& table, const TransitRoom& room, Index node_begin, Index node_end)
+  Batch(const TransitTable& table, const TransitSpace& space, Index node_begin, Index node_end)
       : group_begin(table.group_of[node_begin]), group_end(table.group_of[node_end - 1] + 1) {
     const auto groups = static_cast<std::size_t>(table.group_count());
     const auto count = static_cast<std::size_t>(table.count);
     const auto height = static_cast<std::size_t>(group_end - group_begin);
-    entries = room.rows.entries().subspan(node_begin * count, (node_end - node_begin) * count);
-    least = room.least.subspan(group_begin * groups, height * groups);
-    scale = room.scale.subspan(group_begin, height);
+    entries = space.rows.entries().subspan(node_begin * count, (node_end - node_begin) * count);
+    least = space.least.subspan(group_begin * groups, height * groups);
+    scale = space.scale.subspan(group_begin, height);
   }
 
   std::array<std::span<const std::byte>, 3> contents() const {
@@ -283,10 +283,10 @@ struct Batch {
 
 }  // namespace
 
-TransitRoom::TransitRoom(const PatchLayer& first) {
+TransitSpace::TransitSpace(const PatchLayer& first) {
   const auto count = static_cast<std::size_t>(first.node_count());
   const std::size_t groups = transit_group_count(first);
-  table = rows = TableRoom(count * count, transit_batch_count(first));
+  table = rows = TableSpace(count * count, transit_batch_count(first));
   auto memory =
       std::make_shared<std::pair<std::vector<float>, std::vector<TableScale>>>(groups * groups, groups);
   least = memory->first;
@@ -298,7 +298,7 @@ std::size_t transit_batch_count(const PatchLayer& first) {
   return group_by_patches(first, nodes_per_leader).size() - 1;
 }
 
-TransitTable make_transit_table(const PatchLayer& first, const TransitRoom& room, int threads,
+TransitTable make_transit_table(const PatchLayer& first, const TransitSpace& space, int threads,
                                 const Progress& progress) {
   if (first.node_count() == 0) return {};
   TransitTable table;
@@ -308,10 +308,10 @@ TransitTable make_transit_table(const PatchLayer& first, const TransitRoom& room
   const std::vector<Index> led = group_by_patches(first, nodes_per_leader);
   const std::size_t batches = led.size() - 1;
   std::vector<std::uint8_t> held(batches, 0);
-  parallel_for(room.rows.in_file() ? batches : 0, threads, progress.part(0.0, 0.02), check_phase,
+  parallel_for(space.rows.in_file() ? batches : 0, threads, progress.part(0.0, 0.02), check_phase,
                [&](std::size_t i, int) {
-                 const Batch batch(table, room, led[i], led[i + 1]);
-                 held[i] = room.rows.holds(i, batch.contents()) ? 1 : 0;
+                 const Batch batch(table, space, led[i], led[i + 1]);
+                 held[i] = space.rows.holds(i, batch.contents()) ? 1 : 0;
                });
   std::vector<std::size_t> left;
   for (std::size_t i = 0; i < batches; ++i) {
@@ -340,16 +340,16 @@ TransitTable make_transit_table(const PatchLayer& first, const TransitRoom& room
                      row[other] = static_cast<float>(own.batch.distance(other));
                    }
                  });
-                 const Batch batch(table, room, begin, end);
+                 const Batch batch(table, space, begin, end);
                  for (Index a = batch.group_begin; a < batch.group_end; ++a) {
                    checkpoint();
-                   room.scale[a] =
-                       set_rows(table, room.rows.entries(), room.least.subspan(a * groups, groups), a,
+                   space.scale[a] =
+                       set_rows(table, space.rows.entries(), space.least.subspan(a * groups, groups), a,
                                 own.rows.data() + (table.group_begin[a] - begin) * count);
                  }
-                 room.rows.note_filled(left[item], batch.contents(), {}, true);
+                 space.rows.note_filled(left[item], batch.contents(), {}, true);
                });
-  table.scale = common_scale(room.scale);
+  table.scale = common_scale(space.scale);
   table.least.resize(groups * groups);
   // By squares of groups, whose cells in both directions fit the processor's caches.
   const std::size_t squares = (groups + groups_per_square - 1) / groups_per_square;
@@ -360,12 +360,12 @@ TransitTable make_transit_table(const PatchLayer& first, const TransitRoom& room
       const std::size_t column_end = std::min(groups, (column + 1) * groups_per_square);
       for (std::size_t a = row * groups_per_square; a < row_end; ++a) {
         for (std::size_t b = column * groups_per_square; b < std::min(column_end, a + 1); ++b) {
-          make_symmetric(table, room, static_cast<Index>(a), static_cast<Index>(b));
+          make_symmetric(table, space, static_cast<Index>(a), static_cast<Index>(b));
         }
       }
     }
   });
-  table.entry = room.table.shared();
+  table.entry = space.table.shared();
   return table;
 }
 

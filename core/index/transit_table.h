@@ -69,13 +69,13 @@ std::uint64_t transit_group_count(const PatchLayer& first);
 
 /// Where the table is filled: first its rows, search by search, then the table of both directions, which may
 /// take their place.
-struct TransitRoom {
-  TransitRoom() = default;
+struct TransitSpace {
+  TransitSpace() = default;
   /// In memory, which rows and table share.
-  explicit TransitRoom(const PatchLayer& first);
+  explicit TransitSpace(const PatchLayer& first);
 
-  TableRoom table;              ///< the entries of the finished table; its parts are not used
-  TableRoom rows;               ///< the entries of the rows; its parts are batches of searches
+  TableSpace table;             ///< the entries of the finished table; its parts are not used
+  TableSpace rows;              ///< the entries of the rows; its parts are batches of searches
   std::span<float> least;       ///< least distances of the rows; shape (groups, groups)
   std::span<TableScale> scale;  ///< of the rows, by group
   std::shared_ptr<const void> owner;
@@ -85,10 +85,10 @@ struct TransitRoom {
 std::size_t transit_batch_count(const PatchLayer& first);
 
 /// Fills the table by a search over the first layer from each of its nodes, most of them in batches
-/// (BatchDijkstra). Besides the table, only a few rows take memory. Batches whose rows the room holds already
-/// are left as they are. Complexity: O(nodes^2 (w + b / 16)), for b nodes on the border of a patch, of which
-/// w are on its stretches.
-TransitTable make_transit_table(const PatchLayer& first, const TransitRoom& room, int threads,
+/// (BatchDijkstra). Besides the table, only a few rows take memory. Batches whose rows the space holds
+/// already are left as they are. Complexity: O(nodes^2 (w + b / 16)), for b nodes on the border of a patch,
+/// of which w are on its stretches.
+TransitTable make_transit_table(const PatchLayer& first, const TransitSpace& space, int threads,
                                 const Progress& progress);
 
 // ---- Least distances between pieces of patch borders

@@ -20,7 +20,7 @@
 namespace vorogeo::python {
 
 /// The class _core.Mesh: the mesh that is measured on. May be used by several threads.
-struct HeldMesh {
+struct PythonMesh {
   /// Made when it is first asked for.
   struct Locator {
     std::once_flag once;
@@ -37,11 +37,11 @@ struct HeldMesh {
 };
 
 /// The class _core.Surface; several objects may hold one surface.
-struct HeldSurface {
-  HeldMesh held_mesh;
+struct PythonSurface {
+  PythonMesh python_mesh;
   std::shared_ptr<Surface> surface;
 
-  const Mesh& mesh() const { return *held_mesh.mesh; }
+  const Mesh& mesh() const { return *python_mesh.mesh; }
   PointList points(const PointArrays& arrays) const { return points_from(mesh(), arrays); }
   std::optional<PointList> points(const OptionalPoints& arrays) const {
     return arrays ? std::optional(points(*arrays)) : std::nullopt;
@@ -49,15 +49,15 @@ struct HeldSurface {
 };
 
 /// Points for Python.
-inline PointColumns columns_of(const HeldSurface& held, const std::vector<SurfacePoint>& points) {
+inline PointColumns columns_of(const PythonSurface& self, const std::vector<SurfacePoint>& points) {
   PointColumns columns;
-  for (const SurfacePoint& point : points) columns.add(held.mesh(), point);
+  for (const SurfacePoint& point : points) columns.add(self.mesh(), point);
   return columns;
 }
 
 /// Paths for Python, collected without the GIL: lengths, whether they are certified, where the points of each
 /// path begin, positions, the points on the surface, and whether the step from each leads over a gap.
-inline auto paths_of(const HeldSurface& held, const std::vector<ExactPath>& paths) {
+inline auto paths_of(const PythonSurface& self, const std::vector<ExactPath>& paths) {
   std::vector<double> lengths;
   std::vector<Index> certified, over_gap;
   std::vector<std::int64_t> begin{0};
@@ -67,10 +67,10 @@ inline auto paths_of(const HeldSurface& held, const std::vector<ExactPath>& path
     lengths.push_back(one.path.length);
     certified.push_back(one.certified ? 1 : 0);
     for (const SurfacePoint& point : one.path.points) {
-      positions.push_back(position_of(held.mesh(), point));
-      columns.add(held.mesh(), point);
+      positions.push_back(position_of(self.mesh(), point));
+      columns.add(self.mesh(), point);
     }
-    for (const bool over : steps_over_gaps(held.mesh(), one.path.points)) over_gap.push_back(over ? 1 : 0);
+    for (const bool over : steps_over_gaps(self.mesh(), one.path.points)) over_gap.push_back(over ? 1 : 0);
     begin.push_back(static_cast<std::int64_t>(positions.size()));
   }
   return std::tuple(std::move(lengths), std::move(certified), std::move(begin), std::move(positions),
@@ -96,13 +96,13 @@ inline const auto taken<const OutArray<Entry>&> = nb::arg().noconvert();
 /// Binds a question, to which Python also passes a method (Answer) and a progress function or None, at the
 /// end. `question` runs without the GIL and returns a tuple, to which About is appended.
 template <class... Parts, class... Arguments>
-void bind_question(nb::class_<HeldSurface>& surface, const char* name,
-                   std::tuple<Parts...> (*question)(const TaskOptions&, const HeldSurface&, Arguments...)) {
-  auto ask = [question](const HeldSurface& held, Arguments... arguments, int method, nb::object progress) {
+void bind_question(nb::class_<PythonSurface>& surface, const char* name,
+                   std::tuple<Parts...> (*question)(const TaskOptions&, const PythonSurface&, Arguments...)) {
+  auto ask = [question](const PythonSurface& self, Arguments... arguments, int method, nb::object progress) {
     Answered answered;
     ProgressBridge bridge(progress);
     auto found = bridge.run([&](const Progress& report) {
-      return question({static_cast<Answer>(method), report, &answered}, held, arguments...);
+      return question({static_cast<Answer>(method), report, &answered}, self, arguments...);
     });
     const auto tuple = [&](auto&... parts) {
       return std::make_tuple(to_python(std::move(parts))..., about(answered));
@@ -112,10 +112,10 @@ void bind_question(nb::class_<HeldSurface>& surface, const char* name,
   surface.def(name, ask, taken<Arguments>..., nb::arg(), nb::arg().none());
 }
 
-void bind_mesh(nb::class_<HeldMesh>& mesh, nb::module_& module);
-void bind_methods(nb::class_<HeldMesh>& mesh, nb::module_& module);
-void bind_surface(nb::class_<HeldMesh>& mesh, nb::class_<HeldSurface>& surface);
-void bind_tasks(nb::class_<HeldSurface>& surface);
+void bind_mesh(nb::class_<PythonMesh>& mesh, nb::module_& module);
+void bind_methods(nb::class_<PythonMesh>& mesh, nb::module_& module);
+void bind_surface(nb::class_<PythonMesh>& mesh, nb::class_<PythonSurface>& surface);
+void bind_tasks(nb::class_<PythonSurface>& surface);
 void bind_output(nb::module_& module);
 
 }  // namespace vorogeo::python

@@ -42,8 +42,8 @@ NB_MODULE(_core, module) {
   module.doc() =
       "The core of VoroGeo; use the functions of the package vorogeo, which check their arguments.";
   nb::register_exception_translator(translate);
-  nb::class_<HeldMesh> mesh(module, "Mesh");
-  nb::class_<HeldSurface> surface(module, "Surface");
+  nb::class_<PythonMesh> mesh(module, "Mesh");
+  nb::class_<PythonSurface> surface(module, "Surface");
   bind_mesh(mesh, module);
   bind_methods(mesh, module);
   bind_surface(mesh, surface);

@@ -63,10 +63,10 @@ FaceSplits splits_of(const SplitArrays& arrays, std::size_t vertices, std::size_
 /// The share of reading the mesh in the progress of a build.
 constexpr double reading_share = 0.01;
 
-HeldMesh read_mesh(const VertexArray& vertices, const FaceArray& faces, const SideArrays& sides, double gap,
-                   bool folds, nb::object progress) {
+PythonMesh read_mesh(const VertexArray& vertices, const FaceArray& faces, const SideArrays& sides, double gap,
+                     bool folds, nb::object progress) {
   ProgressBridge bridge(progress);
-  return bridge.run([&](const Progress& report) -> HeldMesh {
+  return bridge.run([&](const Progress& report) -> PythonMesh {
     const Watch watch(report.part(0.0, reading_share), "Reading the mesh");
     MeshInput input{rows_of<3>(vertices), rows_of<3>(faces), {}, {gap, folds}};
     if (sides) {
@@ -82,7 +82,7 @@ HeldMesh read_mesh(const VertexArray& vertices, const FaceArray& faces, const Si
 // ---- Points and curves on a mesh
 
 /// Nearest points of the surface: faces, weights, distances.
-auto snap(const HeldMesh& self, const VertexArray& points) {
+auto snap(const PythonMesh& self, const VertexArray& points) {
   PointColumns columns;
   std::vector<double> distances;
   {
@@ -99,7 +99,7 @@ auto snap(const HeldMesh& self, const VertexArray& points) {
 
 /// Points along the edges between pairs of vertices, at most `spacing` apart; 0: a quarter of the typical
 /// edge. \throw InvalidInput if the mesh has no such edge.
-auto along_edges(const HeldMesh& self, const EdgeArray& ends, double spacing) {
+auto along_edges(const PythonMesh& self, const EdgeArray& ends, double spacing) {
   const Mesh& mesh = *self.mesh;
   const std::vector<Index> edges = edges_of_curve(mesh, rows_of<2>(ends));
   const double wanted = spacing > 0.0 ? spacing : 0.25 * mesh.typical_edge_length();
@@ -173,7 +173,7 @@ nb::dict check(const VertexArray& vertices, const FaceArray& faces, double gap, 
   return d;
 }
 
-nb::dict estimate(const HeldMesh& self, int threads, std::int64_t memory_budget, nb::object progress) {
+nb::dict estimate(const PythonMesh& self, int threads, std::int64_t memory_budget, nb::object progress) {
   IndexOptions options;
   options.threads = threads;
   options.memory_budget = memory_budget;
@@ -245,7 +245,7 @@ void bind_metric(nb::module_& module, const char* name, Function function) {
 
 }  // namespace
 
-void bind_mesh(nb::class_<HeldMesh>& mesh, nb::module_& module) {
+void bind_mesh(nb::class_<PythonMesh>& mesh, nb::module_& module) {
   module.def("read_mesh", &read_mesh, nb::arg("vertices"), nb::arg("faces"), nb::arg("sides").none(),
              nb::arg("gap"), nb::arg("folds"), nb::arg("progress").none());
   module.def("check_mesh", &check);

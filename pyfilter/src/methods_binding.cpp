@@ -16,11 +16,11 @@ struct BoundMethod {
   std::unique_ptr<GeodesicMethod> method;
 };
 
-BoundMethod prepare(const HeldMesh& held, const std::string& name, const MethodOptions& options,
+BoundMethod prepare(const PythonMesh& self, const std::string& name, const MethodOptions& options,
                     nb::object progress) {
   ProgressBridge bridge(progress);
-  return {held.mesh, bridge.run([&](const Progress& report) {
-            return prepare_method(name, held.mesh, options, report);
+  return {self.mesh, bridge.run([&](const Progress& report) {
+            return prepare_method(name, self.mesh, options, report);
           })};
 }
 
@@ -57,14 +57,14 @@ nb::list describe() {
 
 }  // namespace
 
-void bind_methods(nb::class_<HeldMesh>& mesh, nb::module_& module) {
+void bind_methods(nb::class_<PythonMesh>& mesh, nb::module_& module) {
   nb::class_<BoundMethod>(module, "Method")
       .def("field", &field)
       .def("pair", &pair)
       .def("bytes", [](const BoundMethod& self) { return self.method->bytes(); });
   mesh.def("prepare_method", &prepare, nb::arg("name"), nb::arg("options"), nb::arg("progress").none());
   mesh.def("method_warning",
-           [](const HeldMesh& held, const std::string& name) { return warning_of(name, *held.mesh); });
+           [](const PythonMesh& self, const std::string& name) { return warning_of(name, *self.mesh); });
   module.def("describe_methods", &describe);
 }
 

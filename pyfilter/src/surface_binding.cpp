@@ -15,16 +15,16 @@ namespace {
 
 // ---- How a surface is made, and its index
 
-HeldSurface without_index(const HeldMesh& held, int threads, std::int64_t memory_budget) {
+PythonSurface without_index(const PythonMesh& self, int threads, std::int64_t memory_budget) {
   IndexOptions options;
   options.threads = threads;
   options.memory_budget = memory_budget;
-  return {held, std::make_shared<Surface>(held.mesh, options)};
+  return {self, std::make_shared<Surface>(self.mesh, options)};
 }
 
-HeldSurface with_index(const HeldMesh& held, Index first_layer_patches, Index second_layer_patches,
-                       double delta, int threads, std::uint64_t seed, std::int64_t memory_budget,
-                       const std::optional<std::filesystem::path>& file, nb::object progress) {
+PythonSurface with_index(const PythonMesh& self, Index first_layer_patches, Index second_layer_patches,
+                         double delta, int threads, std::uint64_t seed, std::int64_t memory_budget,
+                         const std::optional<std::filesystem::path>& file, nb::object progress) {
   const IndexOptions options{.first_layer_patches = first_layer_patches,
                              .second_layer_patches = second_layer_patches,
                              .delta = delta,
@@ -34,42 +34,43 @@ HeldSurface with_index(const HeldMesh& held, Index first_layer_patches, Index se
   ProgressBridge bridge(progress);
   auto index = bridge.run([&](const Progress& report) {
     const Progress rest = report.part(0.01, 1.0);  // the mesh has been read
-    return file ? GeodesicIndex::build_in_file(*file, held.mesh, options, rest)
-                : GeodesicIndex::build(held.mesh, options, rest);
+    return file ? GeodesicIndex::build_in_file(*file, self.mesh, options, rest)
+                : GeodesicIndex::build(self.mesh, options, rest);
   });
-  return {held, std::make_shared<Surface>(std::move(index), threads)};
+  return {self, std::make_shared<Surface>(std::move(index), threads)};
 }
 
-HeldSurface load_index(const HeldMesh& held, const std::filesystem::path& file, int threads, bool mapped) {
+PythonSurface load_index(const PythonMesh& self, const std::filesystem::path& file, int threads,
+                         bool mapped) {
   nb::gil_scoped_release release;
-  auto index = GeodesicIndex::load(file, held.mesh, mapped ? TableStorage::mapped : TableStorage::copied);
-  return {held, std::make_shared<Surface>(std::move(index), threads)};
+  auto index = GeodesicIndex::load(file, self.mesh, mapped ? TableStorage::mapped : TableStorage::copied);
+  return {self, std::make_shared<Surface>(std::move(index), threads)};
 }
 
-bool has_index(const HeldSurface& self) { return self.surface->index() != nullptr; }
+bool has_index(const PythonSurface& self) { return self.surface->index() != nullptr; }
 
-void build_index(const HeldSurface& self, nb::object progress) {
+void build_index(const PythonSurface& self, nb::object progress) {
   ProgressBridge bridge(progress);
   bridge.run([&](const Progress& report) { return self.surface->build_index(report) != nullptr; });
 }
 
 /// The surface that answers for the ways back: distances to points instead of from them.
-HeldSurface reversed(const HeldSurface& self) {
+PythonSurface reversed(const PythonSurface& self) {
   nb::gil_scoped_release release;
-  return {self.held_mesh, {self.surface, &self.surface->reversed()}};
+  return {self.python_mesh, {self.surface, &self.surface->reversed()}};
 }
 
-void save(const HeldSurface& self, const std::filesystem::path& file) {
+void save(const PythonSurface& self, const std::filesystem::path& file) {
   nb::gil_scoped_release release;
   self.surface->index()->save(file);
 }
 
-Values<Index> face_patches(const HeldSurface& self, int layer) {
+Values<Index> face_patches(const PythonSurface& self, int layer) {
   const auto index = self.surface->index();
   return to_numpy(InputMap(self.mesh()).of_faces(index->face_patches(layer), no_index));
 }
 
-nb::dict statistics(const HeldSurface& self) {
+nb::dict statistics(const PythonSurface& self) {
   const Mesh& mesh = self.mesh();
   const auto index = self.surface->index();
   const IndexStatistics& s = index->statistics();
@@ -97,7 +98,7 @@ nb::dict statistics(const HeldSurface& self) {
 // ---- Questions
 
 /// The distance of two vertices from the index, with as little overhead as possible. \pre Both exist.
-std::pair<double, double> vertex_distance(const HeldSurface& self, Index source, Index target) {
+std::pair<double, double> vertex_distance(const PythonSurface& self, Index source, Index target) {
   nb::gil_scoped_release release;
   const Stopwatch watch;
   const double found = self.surface->lend([&](Query& query) {
@@ -106,7 +107,7 @@ std::pair<double, double> vertex_distance(const HeldSurface& self, Index source,
   return {found, watch.seconds()};
 }
 
-auto field(const TaskOptions& how, const HeldSurface& self, const PointArrays& source,
+auto field(const TaskOptions& how, const PythonSurface& self, const PointArrays& source,
            const ValueArray& offsets, double max_distance) {
   const PointList points = points_on(self.mesh(), self.points(source), "Source");
   std::vector<ExactSource> sources;
@@ -116,13 +117,13 @@ auto field(const TaskOptions& how, const HeldSurface& self, const PointArrays& s
   return std::tuple(map.of_vertices(std::move(found.distance)), map.of_vertices(std::move(found.source)));
 }
 
-auto distances(const TaskOptions& how, const HeldSurface& self, const PointArrays& source,
+auto distances(const TaskOptions& how, const PythonSurface& self, const PointArrays& source,
                const PointArrays& target) {
   const PointList sources = self.points(source), targets = self.points(target);
   return std::tuple(self.surface->distances({sources, targets}, how.by, *how.answered, how.progress));
 }
 
-auto paths(const TaskOptions& how, const HeldSurface& self, const PointArrays& source,
+auto paths(const TaskOptions& how, const PythonSurface& self, const PointArrays& source,
            const PointArrays& target, bool exact, bool certify) {
   const PointList sources = self.points(source), targets = self.points(target);
   return paths_of(
@@ -131,7 +132,7 @@ auto paths(const TaskOptions& how, const HeldSurface& self, const PointArrays& s
 
 /// Computes landmarks, and the index if there is none: they narrow the corridors of later certified paths.
 /// \return the memory that the landmarks take, in bytes.
-std::size_t use_landmarks(const HeldSurface& self, int count, nb::object progress) {
+std::size_t use_landmarks(const PythonSurface& self, int count, nb::object progress) {
   ProgressBridge bridge(progress);
   return bridge.run([&](const Progress& report) {
     Surface& surface = *self.surface;
@@ -147,13 +148,13 @@ std::size_t use_landmarks(const HeldSurface& self, int count, nb::object progres
 
 }  // namespace
 
-void bind_surface(nb::class_<HeldMesh>& mesh, nb::class_<HeldSurface>& surface) {
+void bind_surface(nb::class_<PythonMesh>& mesh, nb::class_<PythonSurface>& surface) {
   mesh.def("surface", &without_index)
       .def("surface_with_index", &with_index, nb::arg("first_layer_patches"), nb::arg("second_layer_patches"),
            nb::arg("delta"), nb::arg("threads"), nb::arg("seed"), nb::arg("memory_budget"),
            nb::arg("file").none(), nb::arg("progress").none())
       .def("load_index", &load_index);
-  surface.def_ro("mesh", &HeldSurface::held_mesh)
+  surface.def_ro("mesh", &PythonSurface::python_mesh)
       .def("has_index", &has_index)
       .def("reversed", &reversed)
       .def("build_index", &build_index, nb::arg("progress").none())

@@ -46,36 +46,36 @@ std::span<Entry> entries_of(const OutArray<Entry>& out) {
 
 /// Without `columns`, the points of the rows serve as columns as well.
 template <class Entry>
-std::tuple<> fill_matrix(const TaskOptions& options, const HeldSurface& held, const PointArrays& rows,
+std::tuple<> fill_matrix(const TaskOptions& options, const PythonSurface& self, const PointArrays& rows,
                          const OptionalPoints& columns, int entries, const OutArray<Entry>& out) {
   const auto how = static_cast<MatrixMethod>(entries);
   if (columns) {
-    distance_matrix(*held.surface, held.points(rows), held.points(*columns), how, entries_of(out), options);
+    distance_matrix(*self.surface, self.points(rows), self.points(*columns), how, entries_of(out), options);
   } else {
-    distance_matrix(*held.surface, held.points(rows), how, entries_of(out), options);
+    distance_matrix(*self.surface, self.points(rows), how, entries_of(out), options);
   }
   return {};
 }
 
 template <class Entry>
-std::tuple<> fill_fields(const TaskOptions& options, const HeldSurface& held, const PointArrays& sources,
+std::tuple<> fill_fields(const TaskOptions& options, const PythonSurface& self, const PointArrays& sources,
                          double max_distance, const OutArray<Entry>& out) {
-  distance_fields(*held.surface, held.points(sources), max_distance, entries_of(out), options);
+  distance_fields(*self.surface, self.points(sources), max_distance, entries_of(out), options);
   return {};
 }
 
 /// Returns where each row begins, columns and distances. Without `others`, the pairs are those of `points`.
-auto within(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
+auto within(const TaskOptions& options, const PythonSurface& self, const PointArrays& points,
             const OptionalPoints& others, double radius, std::int64_t max_bytes) {
-  const PointList from = held.points(points);
-  auto found = others ? pairs_within(*held.surface, from, held.points(*others), radius, max_bytes, options)
-                      : pairs_within(*held.surface, from, radius, max_bytes, options);
+  const PointList from = self.points(points);
+  auto found = others ? pairs_within(*self.surface, from, self.points(*others), radius, max_bytes, options)
+                      : pairs_within(*self.surface, from, radius, max_bytes, options);
   return std::tuple(std::move(found.row_begin), std::move(found.column), std::move(found.distance));
 }
 
-auto nearest(const TaskOptions& options, const HeldSurface& held, const PointArrays& set,
+auto nearest(const TaskOptions& options, const PythonSurface& self, const PointArrays& set,
              const PointArrays& queries, std::size_t count) {
-  auto found = nearest_of_set(*held.surface, held.points(set), held.points(queries), count, options);
+  auto found = nearest_of_set(*self.surface, self.points(set), self.points(queries), count, options);
   return std::tuple(std::move(found.position), std::move(found.distance));
 }
 
@@ -83,43 +83,43 @@ auto nearest(const TaskOptions& options, const HeldSurface& held, const PointArr
 
 /// The single path that `task` returns for a list of points.
 template <auto task, class... Arguments>
-auto path_by(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
+auto path_by(const TaskOptions& options, const PythonSurface& self, const PointArrays& points,
              Arguments... arguments) {
-  return paths_of(held, {task(*held.surface, held.points(points), arguments..., options)});
+  return paths_of(self, {task(*self.surface, self.points(points), arguments..., options)});
 }
 
 /// `curve` has no points if none is given.
-auto loop_through(const TaskOptions& options, const HeldSurface& held, const PointArrays& point,
+auto loop_through(const TaskOptions& options, const PythonSurface& self, const PointArrays& point,
                   const PointArrays& curve) {
-  return paths_of(held, {shortest_loop(*held.surface, held.points(point)[0], held.points(curve), options)});
+  return paths_of(self, {shortest_loop(*self.surface, self.points(point)[0], self.points(curve), options)});
 }
 
 /// Section and loop as paths, the normal, the tape and its length. (x, y, z): the normal, if `is_given`.
-auto girth_at(const TaskOptions& options, const HeldSurface& held, const PointArrays& point, double x,
+auto girth_at(const TaskOptions& options, const PythonSurface& self, const PointArrays& point, double x,
               double y, double z, bool is_given) {
-  auto found = girth(*held.surface, held.points(point)[0],
+  auto found = girth(*self.surface, self.points(point)[0],
                      is_given ? std::optional(Point{x, y, z}) : std::nullopt, options);
-  return std::tuple_cat(paths_of(held, {{std::move(found.section), false}, {std::move(found.loop), false}}),
+  return std::tuple_cat(paths_of(self, {{std::move(found.section), false}, {std::move(found.loop), false}}),
                         std::tuple(std::vector<double>(found.normal.begin(), found.normal.end()),
                                    std::move(found.tape), found.tape_length));
 }
 
-auto along(const TaskOptions&, const HeldSurface& held, const PointArrays& path,
+auto along(const TaskOptions&, const PythonSurface& self, const PointArrays& path,
            const ValueArray& fractions) {
-  return std::tuple(columns_of(held, points_along(held.mesh(), held.points(path), values_of(fractions))));
+  return std::tuple(columns_of(self, points_along(self.mesh(), self.points(path), values_of(fractions))));
 }
 
 /// The points of a path and others, at most `spacing` apart; 0: a quarter of the typical edge.
-auto stepped(const TaskOptions&, const HeldSurface& held, const PointArrays& path, double spacing) {
-  const Mesh& mesh = held.mesh();
+auto stepped(const TaskOptions&, const PythonSurface& self, const PointArrays& path, double spacing) {
+  const Mesh& mesh = self.mesh();
   const double wanted = spacing > 0.0 ? spacing : 0.25 * mesh.typical_edge_length();
-  return std::tuple(columns_of(held, steps_along(mesh, held.points(path), wanted)));
+  return std::tuple(columns_of(self, steps_along(mesh, self.points(path), wanted)));
 }
 
-auto profile_of(const TaskOptions&, const HeldSurface& held, const PointArrays& path, double x, double y,
+auto profile_of(const TaskOptions&, const PythonSurface& self, const PointArrays& path, double x, double y,
                 double z) {
-  const auto locate = [&]() -> const SurfaceLocator& { return held.held_mesh.located(); };
-  auto found = profile(held.mesh(), locate, held.points(path), {x, y, z});
+  const auto locate = [&]() -> const SurfaceLocator& { return self.python_mesh.located(); };
+  auto found = profile(self.mesh(), locate, self.points(path), {x, y, z});
   return std::tuple(std::move(found.along), std::move(found.height), std::move(found.angle),
                     std::move(found.curvature), std::move(found.thickness));
 }
@@ -127,9 +127,9 @@ auto profile_of(const TaskOptions&, const HeldSurface& held, const PointArrays& 
 // ---- Regions, samplings, lines and measures
 
 /// Regions and distances of vertices, regions of faces, areas; points and edges of borders, with two regions.
-auto voronoi(const TaskOptions& options, const HeldSurface& held, const PointArrays& points) {
-  auto found = voronoi_regions(*held.surface, held.points(points), options);
-  const InputMap map(held.mesh());
+auto voronoi(const TaskOptions& options, const PythonSurface& self, const PointArrays& points) {
+  auto found = voronoi_regions(*self.surface, self.points(points), options);
+  const InputMap map(self.mesh());
   return std::tuple(map.of_vertices(std::move(found.vertex_region)),
                     map.of_vertices(std::move(found.distance)), map.of_faces(found.face_region, no_index),
                     std::move(found.area), std::move(found.borders.points), std::move(found.borders.segments),
@@ -137,44 +137,44 @@ auto voronoi(const TaskOptions& options, const HeldSurface& held, const PointArr
 }
 
 /// Points, edges, and the level at each point.
-auto isolines_of(const HeldSurface& held, const ValueArray& field, const ValueArray& levels,
+auto isolines_of(const PythonSurface& self, const ValueArray& field, const ValueArray& levels,
                  int interpolation) {
   Isolines found;
   {
     nb::gil_scoped_release release;
     found =
-        isolines(held.mesh(), values_of(field), values_of(levels), static_cast<Interpolation>(interpolation));
+        isolines(self.mesh(), values_of(field), values_of(levels), static_cast<Interpolation>(interpolation));
   }
   return std::tuple(to_numpy(std::move(found.lines.points)), to_numpy(std::move(found.lines.segments)),
                     to_numpy(std::move(found.level_of_point)));
 }
 
-auto farthest(const TaskOptions& options, const HeldSurface& held, Index count, double radius,
+auto farthest(const TaskOptions& options, const PythonSurface& self, Index count, double radius,
               const PointArrays& start, std::uint64_t seed) {
-  auto found = sample_farthest(*held.surface, {count, radius}, held.points(start), seed, options);
-  return std::tuple(columns_of(held, found.points), std::move(found.radius), std::move(found.distance),
+  auto found = sample_farthest(*self.surface, {count, radius}, self.points(start), seed, options);
+  return std::tuple(columns_of(self, found.points), std::move(found.radius), std::move(found.distance),
                     found.covering_radius);
 }
 
-auto poisson_disk(const TaskOptions& options, const HeldSurface& held, double radius, std::uint64_t seed) {
-  return std::tuple(sample_poisson_disk(*held.surface, radius, seed, options));
+auto poisson_disk(const TaskOptions& options, const PythonSurface& self, double radius, std::uint64_t seed) {
+  return std::tuple(sample_poisson_disk(*self.surface, radius, seed, options));
 }
 
-auto disk(const TaskOptions& options, const HeldSurface& held, const PointArrays& sources, double radius) {
-  auto found = geodesic_disk(*held.surface, held.points(sources), radius, options);
+auto disk(const TaskOptions& options, const PythonSurface& self, const PointArrays& sources, double radius) {
+  auto found = geodesic_disk(*self.surface, self.points(sources), radius, options);
   return std::tuple(std::move(found.vertices), std::move(found.distance), std::move(found.faces));
 }
 
-auto area_within(const TaskOptions& options, const HeldSurface& held, const PointArrays& sources,
+auto area_within(const TaskOptions& options, const PythonSurface& self, const PointArrays& sources,
                  double width) {
-  const Band found = band(*held.surface, held.points(sources), width, options);
+  const Band found = band(*self.surface, self.points(sources), width, options);
   return std::tuple(found.area, found.border_length);
 }
 
 /// Positions, faces, the points of the new vertices; for each face its input face and its region; edges; for
 /// each face its side.
-auto cut_out(const HeldSurface& held, CutMesh&& cut) {
-  const Mesh& mesh = held.mesh();
+auto cut_out(const PythonSurface& self, CutMesh&& cut) {
+  const Mesh& mesh = self.mesh();
   std::vector<Point> positions = positions_of(mesh, cut.points);
   PointColumns added;
   for (std::size_t i = static_cast<std::size_t>(mesh.given_vertex_count()); i < cut.points.size(); ++i) {
@@ -185,16 +185,16 @@ auto cut_out(const HeldSurface& held, CutMesh&& cut) {
                     std::move(cut.region), std::move(cut.edges), std::move(cut.side));
 }
 
-auto cut_at_levels_of(const TaskOptions& options, const HeldSurface& held, const ValueArray& field,
+auto cut_at_levels_of(const TaskOptions& options, const PythonSurface& self, const ValueArray& field,
                       const ValueArray& levels, int interpolation) {
-  return cut_out(held, cut_at_levels(held.mesh(), values_of(field), values_of(levels),
+  return cut_out(self, cut_at_levels(self.mesh(), values_of(field), values_of(levels),
                                      static_cast<Interpolation>(interpolation), options.progress));
 }
 
 /// `begin`: where each line begins in the list of points, and where the last one ends.
-std::vector<std::vector<SurfacePoint>> lines_of(const HeldSurface& held, const PointArrays& points,
+std::vector<std::vector<SurfacePoint>> lines_of(const PythonSurface& self, const PointArrays& points,
                                                 const IdArray& begin) {
-  const PointList all = held.points(points);
+  const PointList all = self.points(points);
   std::vector<std::vector<SurfacePoint>> lines;
   for (std::size_t k = 0; k + 1 < begin.shape(0); ++k) {
     lines.emplace_back(all.begin() + begin(k), all.begin() + begin(k + 1));
@@ -202,20 +202,20 @@ std::vector<std::vector<SurfacePoint>> lines_of(const HeldSurface& held, const P
   return lines;
 }
 
-auto cut_along_lines(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
+auto cut_along_lines(const TaskOptions& options, const PythonSurface& self, const PointArrays& points,
                      const IdArray& begin) {
-  return cut_out(held, cut_along(held.mesh(), lines_of(held, points, begin), options.progress));
+  return cut_out(self, cut_along(self.mesh(), lines_of(self, points, begin), options.progress));
 }
 
 /// Area, perimeter, corners, angles, curvature, the residual of Gauss-Bonnet, vertices, faces; then the legs
 /// as paths.
 template <auto task>
-auto polygon_by(const TaskOptions& options, const HeldSurface& held, const PointArrays& points) {
-  GeodesicPolygon found = task(*held.surface, held.points(points), options);
+auto polygon_by(const TaskOptions& options, const PythonSurface& self, const PointArrays& points) {
+  GeodesicPolygon found = task(*self.surface, self.points(points), options);
   return std::tuple_cat(
       std::tuple(found.area, found.perimeter, std::move(found.corners), std::move(found.angles),
                  found.curvature, found.gauss_bonnet, std::move(found.vertices), std::move(found.faces)),
-      paths_of(held, found.legs));
+      paths_of(self, found.legs));
 }
 
 /// Columns: areas, lengths of borders, volumes.
@@ -230,27 +230,27 @@ auto columns_of_areas(const std::vector<RegionArea>& found) {
 }
 
 /// `label`: one for each input face.
-auto areas_of_regions(const TaskOptions& options, const HeldSurface& held, const IdArray& label,
+auto areas_of_regions(const TaskOptions& options, const PythonSurface& self, const IdArray& label,
                       std::size_t regions) {
   return columns_of_areas(
-      region_areas(held.mesh(), std::span(label.data(), label.shape(0)), regions, options));
+      region_areas(self.mesh(), std::span(label.data(), label.shape(0)), regions, options));
 }
 
-auto area_inside(const TaskOptions& options, const HeldSurface& held, const PointArrays& curve) {
-  return columns_of_areas({enclosed_area(held.mesh(), held.points(curve), options)});
+auto area_inside(const TaskOptions& options, const PythonSurface& self, const PointArrays& curve) {
+  return columns_of_areas({enclosed_area(self.mesh(), self.points(curve), options)});
 }
 
-auto distances_of_sets(const TaskOptions& options, const HeldSurface& held, const PointArrays& first,
+auto distances_of_sets(const TaskOptions& options, const PythonSurface& self, const PointArrays& first,
                        const PointArrays& second) {
-  auto found = set_distances(*held.surface, held.points(first), held.points(second), options);
+  auto found = set_distances(*self.surface, self.points(first), self.points(second), options);
   return std::tuple(std::move(found.to_second), std::move(found.to_first), found.nearest, found.mean,
                     found.hausdorff);
 }
 
-auto eccentricity(const TaskOptions& options, const HeldSurface& held, const PointArrays& points) {
+auto eccentricity(const TaskOptions& options, const PythonSurface& self, const PointArrays& points) {
   std::vector<double> distance;
   std::vector<Index> vertex;
-  for (const Eccentricity& one : eccentricities(*held.surface, held.points(points), options)) {
+  for (const Eccentricity& one : eccentricities(*self.surface, self.points(points), options)) {
     distance.push_back(one.distance);
     vertex.push_back(one.farthest);
   }
@@ -258,65 +258,65 @@ auto eccentricity(const TaskOptions& options, const HeldSurface& held, const Poi
 }
 
 /// `start`: no_index for the largest component.
-auto extent(const TaskOptions& options, const HeldSurface& held, Index start, Index max_fields) {
-  const Index first = start == no_index ? largest_component(held.mesh()).first_vertex : start;
-  const auto found = extent_of_component(*held.surface, first, max_fields, options);
+auto extent(const TaskOptions& options, const PythonSurface& self, Index start, Index max_fields) {
+  const Index first = start == no_index ? largest_component(self.mesh()).first_vertex : start;
+  const auto found = extent_of_component(*self.surface, first, max_fields, options);
   return std::tuple(std::pair(found.diameter.lower, found.diameter.upper),
                     std::pair(found.ends[0], found.ends[1]),
                     std::pair(found.radius.lower, found.radius.upper), found.centre, found.fields);
 }
 
-auto relax(const TaskOptions& options, const HeldSurface& held, const PointArrays& points, Index rounds) {
-  auto found = relax_points(*held.surface, held.points(points), rounds, options);
-  return std::tuple(columns_of(held, found.points), std::move(found.energy));
+auto relax(const TaskOptions& options, const PythonSurface& self, const PointArrays& points, Index rounds) {
+  auto found = relax_points(*self.surface, self.points(points), rounds, options);
+  return std::tuple(columns_of(self, found.points), std::move(found.energy));
 }
 
 // ---- Directions
 
 /// Three rows for each point: x axis, y axis and normal.
-auto axes_at(const TaskOptions&, const HeldSurface& held, const PointArrays& points) {
+auto axes_at(const TaskOptions&, const PythonSurface& self, const PointArrays& points) {
   std::vector<Point> rows;
-  for (const auto& axes : tangent_frames(*held.surface, held.points(points))) {
+  for (const auto& axes : tangent_frames(*self.surface, self.points(points))) {
     rows.insert(rows.end(), axes.begin(), axes.end());
   }
   return std::tuple(std::move(rows));
 }
 
 /// Vectors and distances of `targets`; without these, of all vertices.
-auto logarithms(const TaskOptions& options, const HeldSurface& held, const PointArrays& point,
+auto logarithms(const TaskOptions& options, const PythonSurface& self, const PointArrays& point,
                 const OptionalPoints& targets, double max_distance) {
-  auto found = log_map(*held.surface, held.points(point)[0], held.points(targets), max_distance, options);
+  auto found = log_map(*self.surface, self.points(point)[0], self.points(targets), max_distance, options);
   if (targets) return std::tuple(std::move(found.vector), std::move(found.distance));
-  const InputMap map(held.mesh());
+  const InputMap map(self.mesh());
   return std::tuple(map.of_vertices(std::move(found.vector)), map.of_vertices(std::move(found.distance)));
 }
 
 /// The gradient at `points`; without these, at all vertices.
-auto gradients(const TaskOptions& options, const HeldSurface& held, const PointArrays& sources,
+auto gradients(const TaskOptions& options, const PythonSurface& self, const PointArrays& sources,
                const OptionalPoints& points, double max_distance) {
   return std::tuple(
-      gradient(*held.surface, held.points(sources), held.points(points), max_distance, options));
+      gradient(*self.surface, self.points(sources), self.points(points), max_distance, options));
 }
 
-auto carried(const TaskOptions&, const HeldSurface& held, const PointArrays& path,
+auto carried(const TaskOptions&, const PythonSurface& self, const PointArrays& path,
              const TangentArray& vectors) {
-  return std::tuple(transport(*held.surface, held.points(path), rows_of<2>(vectors)));
+  return std::tuple(transport(*self.surface, self.points(path), rows_of<2>(vectors)));
 }
 
-auto carried_to_vertices(const TaskOptions& options, const HeldSurface& held, const PointArrays& point,
+auto carried_to_vertices(const TaskOptions& options, const PythonSurface& self, const PointArrays& point,
                          const TangentArray& vector, double max_distance) {
   return std::tuple(
-      transport_from(*held.surface, held.points(point)[0], rows_of<2>(vector)[0], max_distance, options));
+      transport_from(*self.surface, self.points(point)[0], rows_of<2>(vector)[0], max_distance, options));
 }
 
 /// End points and lengths of straightest lines.
-auto line_ends(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
+auto line_ends(const TaskOptions& options, const PythonSurface& self, const PointArrays& points,
                const TangentArray& vectors, bool slides) {
   PointColumns columns;
   std::vector<double> lengths;
-  for (const TracedEnd& end : exp_map(*held.surface, held.points(points), rows_of<2>(vectors),
+  for (const TracedEnd& end : exp_map(*self.surface, self.points(points), rows_of<2>(vectors),
                                       slides ? AtBorder::slide : AtBorder::end, options)) {
-    columns.add(held.mesh(), end.point);
+    columns.add(self.mesh(), end.point);
     lengths.push_back(end.length);
   }
   return std::tuple(std::move(columns), std::move(lengths));
@@ -325,64 +325,65 @@ auto line_ends(const TaskOptions& options, const HeldSurface& held, const PointA
 // ---- Means and clusters
 
 /// `power`: two for a mean, one for a median.
-auto centre(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
+auto centre(const TaskOptions& options, const PythonSurface& self, const PointArrays& points,
             const ValueArray& weights, int power) {
-  return std::tuple(columns_of(held, {centre_of(*held.surface, held.points(points), values_of(weights),
+  return std::tuple(columns_of(self, {centre_of(*self.surface, self.points(points), values_of(weights),
                                                 static_cast<Power>(power), options)
                                           .point}));
 }
 
-auto medoid_of(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
+auto medoid_of(const TaskOptions& options, const PythonSurface& self, const PointArrays& points,
                const ValueArray& weights) {
-  return std::tuple(medoid(*held.surface, held.points(points), values_of(weights), options));
+  return std::tuple(medoid(*self.surface, self.points(points), values_of(weights), options));
 }
 
 /// Centres, labels, and the energy of each round. Without `points`, all vertices are clustered.
-auto clusters(const TaskOptions& options, const HeldSurface& held, Index count, const OptionalPoints& points,
-              const ValueArray& weights, int power, Index rounds, std::uint64_t seed) {
-  auto found = clusters_of(*held.surface, count, held.points(points), values_of(weights),
+auto clusters(const TaskOptions& options, const PythonSurface& self, Index count,
+              const OptionalPoints& points, const ValueArray& weights, int power, Index rounds,
+              std::uint64_t seed) {
+  auto found = clusters_of(*self.surface, count, self.points(points), values_of(weights),
                            static_cast<Power>(power), rounds, seed, options);
-  return std::tuple(columns_of(held, found.centres), std::move(found.label), std::move(found.energy));
+  return std::tuple(columns_of(self, found.centres), std::move(found.label), std::move(found.energy));
 }
 
 // ---- Sides, derivatives, where paths meet
 
-auto signed_by_lines(const TaskOptions& options, const HeldSurface& held, const PointArrays& points,
+auto signed_by_lines(const TaskOptions& options, const PythonSurface& self, const PointArrays& points,
                      const IdArray& begin, double max_distance) {
-  return std::tuple(signed_distance(*held.surface, lines_of(held, points, begin), max_distance, options));
+  return std::tuple(signed_distance(*self.surface, lines_of(self, points, begin), max_distance, options));
 }
 
 /// `in_region`: one flag for each input face.
-auto signed_by_region(const TaskOptions& options, const HeldSurface& held, const FlagArray& in_region,
+auto signed_by_region(const TaskOptions& options, const PythonSurface& self, const FlagArray& in_region,
                       double max_distance) {
-  return std::tuple(signed_distance(*held.surface, values_of(in_region), max_distance, options));
+  return std::tuple(signed_distance(*self.surface, values_of(in_region), max_distance, options));
 }
 
-auto distance_gradients(const TaskOptions& options, const HeldSurface& held, const PointArrays& sources,
+auto distance_gradients(const TaskOptions& options, const PythonSurface& self, const PointArrays& sources,
                         const PointArrays& targets) {
-  auto found = distance_gradient(*held.surface, {held.points(sources), held.points(targets)}, options);
+  auto found = distance_gradient(*self.surface, {self.points(sources), self.points(targets)}, options);
   return std::tuple(std::move(found.distance), std::move(found.pair), std::move(found.vertex),
                     std::move(found.gradient));
 }
 
 /// Positions, edges, distances and angles, then the points.
-auto cut_locus_of(const TaskOptions& options, const HeldSurface& held, const PointArrays& sources,
+auto cut_locus_of(const TaskOptions& options, const PythonSurface& self, const PointArrays& sources,
                   double min_angle, double max_distance) {
-  auto found = cut_locus(*held.surface, held.points(sources), min_angle, max_distance, options);
-  return std::tuple(positions_of(held.mesh(), found.points), std::move(found.edges),
-                    std::move(found.distance), std::move(found.angle), columns_of(held, found.points));
+  auto found = cut_locus(*self.surface, self.points(sources), min_angle, max_distance, options);
+  return std::tuple(positions_of(self.mesh(), found.points), std::move(found.edges),
+                    std::move(found.distance), std::move(found.angle), columns_of(self, found.points));
 }
 
 /// Coordinates of each vertex, stretch of each input face.
-auto texture(const TaskOptions& options, const HeldSurface& held, const PointArrays& point, double radius,
+auto texture(const TaskOptions& options, const PythonSurface& self, const PointArrays& point, double radius,
              double rotation, double scale) {
-  auto found = texture_coordinates(*held.surface, held.points(point)[0], {radius, rotation, scale}, options);
+  auto found = texture_coordinates(*self.surface, self.points(point)[0], {radius, rotation, scale}, options);
   return std::tuple(std::move(found.coordinates), std::move(found.stretch));
 }
 
 }  // namespace
 
-void bind_tasks(nb::class_<HeldSurface>& surface) {
+void bind_tasks(nb::class_<PythonSurface>& surface) {
   bind_question(surface, "fill_matrix", &fill_matrix<double>);
   bind_question(surface, "fill_matrix", &fill_matrix<float>);
   bind_question(surface, "fill_fields", &fill_fields<double>);
