@@ -213,14 +213,15 @@ SnappedPoint start_vertex(const FilterCall& call, LayerSurface& layer) {
 
 namespace {
 
-/// The point in a face of the host. \throw InvalidInput if there is none; `entry` begins the message.
+/// The point in a face of the host, whose weights are not checked. \throw InvalidInput if there is no such
+/// face; `entry` begins the message.
 SurfacePoint point_in_face(const LayerSurface& layer, const Mesh& mesh, int host_face,
                            const std::array<double, 3>& weights, const std::string& entry) {
   const auto& numbers = layer.arrays().input_of_face;  // ascending
   const auto found = std::ranges::lower_bound(numbers, host_face);
   const bool exists = found != numbers.end() && *found == host_face;
   const Index face = exists ? static_cast<Index>(found - numbers.begin()) : no_index;
-  if (const auto point = InputMap(mesh).in_face(face, weights)) return validated(mesh, *point);
+  if (const auto point = InputMap(mesh).in_face(face, weights)) return *point;
   throw InvalidInput(entry + " names face " + std::to_string(host_face) +
                      ", which the surface does not have. Faces are counted from 0; deleted ones and those "
                      "that name a vertex twice hold no points.");
@@ -242,8 +243,9 @@ SurfacePoint parse_point(const LayerSurface& layer, const Mesh& mesh, const QStr
                        "three weights, such as 17; 203 0.2 0.3 0.5.");
   }
   if (words.size() == 1) return SurfacePoint::at_vertex(layer.core_vertex(number, entry));
+  const SurfacePoint point = point_in_face(layer, mesh, number, weights, entry);
   try {
-    return point_in_face(layer, mesh, number, weights, entry);
+    return validated(mesh, point);
   } catch (const InvalidInput& error) {
     throw InvalidInput(entry.substr(0, entry.rfind(',')) + ": " + error.what());
   }

@@ -222,6 +222,13 @@ def test_what_is_refused_is_named(ms, name, parameters, message):
     assert layer_count(ms) == 3
 
 
+@pytest.mark.parametrize("point", ["99", "700 0.2 0.3 0.5", "7 0.2 0.3 0.6"])
+def test_a_surface_point_is_named_once(ms, point):
+    with pytest.raises(pymeshlab.PyMeshLabException) as found:
+        ms.apply_filter(filters.TWO_POINTS, surface_points=f"7; {point}")
+    assert str(found.value).count("(surface_points)") == 1
+
+
 @pytest.mark.parametrize("name", [*filters.FROM_A_SELECTION, *filters.OF_TASK_POINTS])
 def test_an_empty_selection_is_an_error(name):
     ms = mesh_set(*grid(3, 3))
