@@ -74,10 +74,19 @@ def write_files(
 
 
 def matrix_rows(
-    files: IndexFiles, rows: NDArray[Any], columns: NDArray[Any] | None, dtype: str, method: str | None
+    files: IndexFiles,
+    rows: NDArray[Any],
+    columns: NDArray[Any] | None,
+    dtype: str,
+    method: str | None,
+    entries: str = "fields",
 ) -> NDArray[Any]:
-    """What one task computes: rows of the matrix."""
-    fields = files.open().fields(rows, dtype=dtype, method=method)
+    """What one task computes: rows of the matrix, from the field of each or by pairs."""
+    index = files.open()
+    if entries == "pairs":
+        others = np.arange(files.vertex_count, dtype=np.int32) if columns is None else columns
+        return index.distance_matrix(rows, others, entries=entries, dtype=dtype, method=method)
+    fields = index.fields(rows, dtype=dtype, method=method)
     return fields if columns is None else fields[:, columns]
 
 

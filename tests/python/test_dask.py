@@ -166,6 +166,15 @@ def test_the_command_line_uses_the_scheduler_for_one_matrix_and_for_many_meshes(
     (told,) = json.loads(capsys.readouterr().out)["results"]
     assert (told["mesh"], told["out"], told["shape"]) == ("shapes/m.off", "m.npy", [700, 700])
     np.testing.assert_array_equal(np.load("m.npy"), index.fields(np.arange(700)))
+    pairs = ["matrix", "shapes/m.off", "--index", "m.vgi", "--entries", "pairs", "--scheduler", address]
+    assert main([*pairs, "--out", "m.npy", "--overwrite"]) == 0
+    np.testing.assert_array_equal(np.load("m.npy"), index.distance_matrix(np.arange(700), entries="pairs"))
+    np.savetxt("few.txt", [3, 80, 699], fmt="%d")
+    assert main([*pairs, "--points", "few.txt", "--out", "few.npy"]) == 0
+    np.testing.assert_array_equal(np.load("few.npy"), index.distance_matrix([3, 80, 699], entries="pairs"))
+    os.remove("few.npy")
+    os.remove("few.txt")
+    capsys.readouterr()
     np.save("cost.npy", np.full(700, 3.0))
     np.savetxt("source.txt", [7])
     pair = ["distance", "shapes/m.off", "--from", "source.txt", "--to", "9", "--exact", "--scheduler", address]

@@ -95,6 +95,7 @@ def _matrix_by_rows(job: Job, address: str, workers: int) -> str:
     else:
         ids = np.arange(len(task.vertices), dtype=np.int32)
     columns = ids if task.options.get("points") else None
+    entries = "pairs" if task.options.get("entries") == "pairs" else "fields"
     dtype = np.dtype(task.dtype)
     beside = os.path.dirname(os.path.abspath(job.out))  # on the file system that the workers share
     with tempfile.TemporaryDirectory(prefix=".vorogeo-", dir=beside) as folder, _client(address, workers) as client:
@@ -108,9 +109,8 @@ def _matrix_by_rows(job: Job, address: str, workers: int) -> str:
             def submit() -> Any:
                 for block in waiting:
                     rows = ids[slice(*block)]
-                    future = client.submit(
-                        matrix_rows, files, rows, columns, task.dtype, task.method, pure=False, retries=_RETRIES
-                    )
+                    asked = files, rows, columns, task.dtype, task.method, entries
+                    future = client.submit(matrix_rows, *asked, pure=False, retries=_RETRIES)
                     running[future] = block
                     return future
                 return None
