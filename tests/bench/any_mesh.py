@@ -13,11 +13,11 @@ MADE += ("block_city",)
 SOURCES = 6
 #: Of the page: errors in percent, of fields and pairs of an index, then of quick fields.
 HEADING = (
-    "mesh | vertices | needles | mean | p99 | long | short | pairs: mean | p99 | build | bytes "
+    "mesh | vertices | needles | mean | p99 | long | short | pairs: mean | p99 | build | ms a vertex | bytes "
     "| quick: time | mean | p99 | long | short"
 )
 
-KEPT = 11  #: columns of the page: what does not depend on the machine
+KEPT = 12  #: columns of the page; the times behind them are printed only
 
 
 def options(parser: argparse.ArgumentParser) -> None:
@@ -44,8 +44,10 @@ def row(found: dict[str, float | str]) -> list[str]:
     """The row of a mesh, and after what the page has: exact (s), build (s), field (ms), pair (µs)."""
     formats = {
         "mesh": "", "vertices": ",.0f", "needles": ".1f", "mean": ".4f", "p99": ".3f", "over": ".2f", "under": ".2f",
-        "pair_mean": ".4f", "pair_p99": ".3f", "build/exact": ".0f", "bytes": ",.0f", "exact": ".3g", "build": ".3g",
+        "pair_mean": ".4f", "pair_p99": ".3f", "build/exact": ".0f", "each": ".2f", "bytes": ",.0f", "exact": ".3g",
+        "build": ".3g",
     }  # fmt: skip
+    found = found | {"each": 1e3 * float(found["build"]) / float(found["vertices"])}
     field, pair = float(found["field"]), float(found["pair"])
     return [*(format(found[key], how) for key, how in formats.items()), f"{1e3 * field:.3g}", f"{1e6 * pair:.3g}"]
 

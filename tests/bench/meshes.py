@@ -78,6 +78,20 @@ def subdivide(mesh_set: Any, times: int) -> None:
     mesh_set.meshing_surface_subdivision_loop(iterations=times, threshold=pymeshlab.PureValue(0))
 
 
+def elevation_grid(side: int) -> Mesh:
+    """A raw elevation model: side x side posts 30 m apart, heights in whole metres, the sea flat."""
+    rows, columns = np.meshgrid(np.arange(side), np.arange(side), indexing="ij")
+    steepness = np.hypot(*np.meshgrid(np.fft.fftfreq(side), np.fft.rfftfreq(side), indexing="ij"))
+    steepness[0, 0] = np.inf
+    noise = np.fft.rfft2(np.random.default_rng(1).standard_normal((side, side)))
+    hills = np.fft.irfft2(noise / steepness**1.8, (side, side))
+    heights = np.maximum(np.rint(500.0 * (hills / hills.std() + 0.4)), 0.0)
+    corner = (rows[:-1, :-1] * side + columns[:-1, :-1]).ravel()
+    triangles = [corner + np.array(ends)[:, None] for ends in ((0, side, 1), (side, side + 1, 1))]
+    positions = np.column_stack([30.0 * columns.ravel(), 30.0 * rows.ravel(), heights.ravel()])
+    return positions, np.concatenate(triangles, axis=1).T.astype(np.int32)
+
+
 def quartered(
     vertices: NDArray[np.float64], faces: NDArray[np.int32], values: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.int32], NDArray[np.float64]]:
