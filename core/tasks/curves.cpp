@@ -9,6 +9,7 @@
 
 #include "exact/straightest.h"
 #include "exact/surface_path.h"
+#include "support/memory.h"
 #include "tasks/curve_sources.h"
 #include "tasks/directions.h"
 #include "tasks/path_through.h"
@@ -65,6 +66,13 @@ TaskOptions part_of(const TaskOptions& options, double begin, double end) {
   return {options.by, options.progress.part(begin, end), options.answered};
 }
 
+/// Refuses shortest paths, `points` each, for which there is no memory. \throw NotEnoughMemory.
+void require_memory_for_paths(double paths, double points, const std::string& what,
+                              const std::string& advice) {
+  constexpr double bytes_per_path = 300.0;  // measured: the path itself, its ends and its length by point
+  require_memory(paths * (bytes_per_path + points * sizeof(SurfacePoint)), 0, what, advice);
+}
+
 /// The points of Bezier curves at all parameters but the last, one curve after another; all have the same
 /// number of control points. \throw InvalidInput for two of these that no path joins; names their positions
 /// in the list of all.
@@ -80,6 +88,13 @@ Points casteljau(Surface& surface, const std::vector<Points>& controls, Index sa
   }
   const double levels = static_cast<double>(order) - 1.0;
   const auto first = legs_between(surface, PointPairs{from, to}, false, part_of(options, 0.0, 1.0 / levels));
+  const double curves = static_cast<double>(controls.size());
+  double points_of_first = 0.0;
+  for (const ExactPath& leg : first) points_of_first += static_cast<double>(leg.path.points.size());
+  // Those of the second level are as long, and there at a time.
+  require_memory_for_paths(std::max(1.0, levels - 1.0) * curves * samples,
+                           levels > 1.0 ? points_of_first / static_cast<double>(first.size()) : 2.0,
+                           "A curve of " + std::to_string(samples) + " samples", "Give fewer samples.");
   std::vector<Points> rows(controls.size() * static_cast<std::size_t>(samples));
   const auto parameter = [&](std::size_t row) {
     return static_cast<double>(row % static_cast<std::size_t>(samples)) / samples;
@@ -194,6 +209,9 @@ ExactPath bezier(Surface& surface, const PointList& given, Index samples, const 
 ExactPath b_spline(Surface& surface, const PointList& given, bool closed, Index levels,
                    const TaskOptions& options) {
   const PointList points = checked_controls(*surface.mesh(), given, closed ? 3 : 2, levels, "levels");
+  // Each level has twice the points of the one before.
+  require_memory_for_paths(std::ldexp(static_cast<double>(points.size()), levels), 2.0,
+                           "A curve of " + std::to_string(levels) + " levels", "Give fewer levels.");
   Points curve(points.begin(), points.end());
   for (Index level = 0; level < levels; ++level) {
     const auto third = [&](int number) {

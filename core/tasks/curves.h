@@ -21,8 +21,8 @@ std::vector<SurfacePoint> steps_along(const Mesh& mesh, const PointList& path, d
 /// The Bezier curve of control points by de Casteljau's construction, whose straight lines are shortest paths
 /// (Park, Ravani 1995): at `samples` + 1 parameters from 0 to 1, which shortest paths join. \throw
 /// InvalidInput for fewer than two points, one that is not on the mesh, two that no path joins (names both),
-/// fewer than one sample; Cancelled. Complexity: for each sample an exact path for each pair of points on
-/// each level but the first.
+/// fewer than one sample; NotEnoughMemory; Cancelled. Complexity: for each sample an exact path for each pair
+/// of points on each level but the first.
 ExactPath bezier(Surface& surface, const PointList& points, Index samples, const TaskOptions& options = {});
 
 /// The uniform cubic B-spline curve of control points, closed or from the first one to the last, by

@@ -216,6 +216,8 @@ CutMesh cut_at_levels(const Mesh& mesh, std::span<const double> given, std::span
   std::vector<double> levels(given_levels.begin(), given_levels.end());
   std::ranges::sort(levels);
   levels.erase(std::ranges::unique(levels).begin(), levels.end());
+  constexpr double bytes_per_piece = 330.0;  // measured; most is for two more faces
+  require_memory_for_levels(mesh, values, levels, bytes_per_piece);
   // By point, how many levels are at most its value.
   std::vector<Index> below;
   for (const double value : values) {

@@ -35,7 +35,7 @@ struct CutMesh {
 
 /// Cuts along the lines on which a field has one of the levels (isolines); greater values lie to their left.
 /// The region of a face is the number of different levels that are at most its values; no_index where these
-/// are not finite. \throw InvalidInput as isolines(); Cancelled.
+/// are not finite. \throw InvalidInput and NotEnoughMemory as isolines(); Cancelled.
 CutMesh cut_at_levels(const Mesh& mesh, std::span<const double> values, std::span<const double> levels,
                       Interpolation interpolation, const Progress& progress = {});
 

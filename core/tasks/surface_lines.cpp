@@ -12,6 +12,7 @@
 #include "mesh/mesh_input.h"
 #include "support/error.h"
 #include "support/lists.h"
+#include "support/memory.h"
 
 namespace vorogeo {
 
@@ -134,10 +135,29 @@ void require_field_and_levels(const Mesh& mesh, std::span<const double> field,
   }
 }
 
+void require_memory_for_levels(const Mesh& mesh, std::span<const double> values, std::vector<double> levels,
+                               double bytes) {
+  std::ranges::sort(levels);
+  const auto up_to = [&](double value) {
+    return static_cast<double>(std::ranges::upper_bound(levels, value) - levels.begin());
+  };
+  double crossings = 0.0;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const auto& corners = mesh.face_vertices(f);
+    const std::array<double, 3> at{values[corners[0]], values[corners[1]], values[corners[2]]};
+    if (!std::isfinite(at[0] + at[1] + at[2])) continue;
+    crossings += up_to(std::max({at[0], at[1], at[2]})) - up_to(std::min({at[0], at[1], at[2]}));
+  }
+  require_memory(bytes * crossings, 0, "Finding the lines of " + std::to_string(levels.size()) + " levels",
+                 "Give fewer levels.");
+}
+
 Isolines isolines(const Mesh& mesh, std::span<const double> given, std::span<const double> levels,
                   Interpolation interpolation) {
   require_field_and_levels(mesh, given, levels);
   const std::vector<double> values = InputMap(mesh).on_vertices(given);
+  constexpr double bytes_per_segment = 165.0;  // measured; most is for finding points and segments again
+  require_memory_for_levels(mesh, values, {levels.begin(), levels.end()}, bytes_per_segment);
   std::vector<Index> order(levels.size());
   std::iota(order.begin(), order.end(), Index{0});
   std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return levels[a] < levels[b]; });

@@ -80,14 +80,19 @@ struct Isolines {
 
 /// The lines on which the field has one of the levels: in each face at most one segment per level, straight
 /// between two of its edges. Faces with a value that is not finite (unreachable) hold no line.
-/// \throw InvalidInput if there are not as many values as vertices, or a level is not finite.
-/// Complexity: O(m + crossings + l log l) for l levels and m faces.
+/// \throw InvalidInput if there are not as many values as vertices, or a level is not finite;
+/// NotEnoughMemory. Complexity: O(m log l + crossings + l log l) for l levels and m faces.
 Isolines isolines(const Mesh& mesh, std::span<const double> values, std::span<const double> levels,
                   Interpolation interpolation);
 
 /// \throw InvalidInput if a field has not one value for each vertex that was given, or a level is not finite.
 void require_field_and_levels(const Mesh& mesh, std::span<const double> field,
                               std::span<const double> levels);
+
+/// Refuses lines of levels for which there is no memory: `bytes` for each time that one crosses a face.
+/// `values`: at all vertices of the mesh. \throw NotEnoughMemory. Complexity: O((l + m) log l).
+void require_memory_for_levels(const Mesh& mesh, std::span<const double> values, std::vector<double> levels,
+                               double bytes);
 
 /// Where on an edge of the given length a field takes the value `level`, which lies between those at the
 /// ends: a fraction in [0, 1], counted from the first end.

@@ -23,6 +23,7 @@
 #include "mesh/outliers.h"
 #include "patches/partition.h"
 #include "support/error.h"
+#include "support/memory.h"
 #include "tasks/bands.h"
 #include "tasks/curve_sources.h"
 #include "tasks/cut.h"
@@ -188,6 +189,8 @@ std::vector<double> values_of(const FilterCall& call, double low, double high) {
   }
   if (!values.empty()) return values;
   const int count = number_of(call, "line_number", 1, ". Give 1 or more, or the values themselves.");
+  require_memory(24.0 * count, 0, "The list of " + std::to_string(count) + " values", "Give fewer lines.");
+  values.reserve(static_cast<std::size_t>(count));
   for (int i = 1; i <= count; ++i) values.push_back(low + (high - low) * i / (count + 1));
   return values;
 }

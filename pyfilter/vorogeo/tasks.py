@@ -496,6 +496,7 @@ class Tasks:
         if not isinstance(levels, (int, np.integer)):
             return values, check.real_values("levels", levels), how
         count = check.integer("levels", levels, 0, 2**31 - 1)
+        _core.require_memory(24.0 * count, 0, f"The list of {count} levels", "Give fewer levels.")
         finite = values[np.isfinite(values)]
         low, high = (float(finite.min()), float(finite.max())) if finite.size else (0.0, 0.0)
         return values, np.linspace(low, high, count + 2)[1:-1], how

@@ -816,6 +816,15 @@ TEST(Library, MeansClustersAndCurvesAreThoseOfFlatPaper) {
   EXPECT_TRUE(passes(curve, 12.0, 7.5));
   EXPECT_TRUE(passes(vorogeo::spline(paper, {a, b, c}, true), 21.0, 3.0));
   EXPECT_TRUE(passes(vorogeo::b_spline(paper, {a, b, c}, true, 1), 16.5, 5.25));  // (a + 6 b + c) / 8
+  const int many = 1'000'000'000;
+  EXPECT_EQ(sentence_of<vorogeo::NotEnoughMemory>([&] {
+              vorogeo::spline(paper, {a, b, c}, true, many);
+            }).find("A curve of 1000000000 samples takes "),
+            0U);
+  EXPECT_EQ(sentence_of<vorogeo::NotEnoughMemory>([&] {
+              vorogeo::b_spline(paper, {a, b, c}, true, 60);
+            }).find("A curve of 60 levels takes "),
+            0U);
   EXPECT_NE(sentence_of<vorogeo::InvalidInput>([&] {
               vorogeo::frechet_mean(paper, {a, b}, {1.0});
             }).find("2 points and 1 weights"),

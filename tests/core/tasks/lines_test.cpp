@@ -12,6 +12,7 @@
 #include "support/refusal.h"
 #include "support/shapes.h"
 #include "tasks/curve_sources.h"
+#include "tasks/cut.h"
 #include "tasks/surface_lines.h"
 
 namespace vorogeo {
@@ -28,6 +29,28 @@ TEST(Isolines, LevelsAtVerticesAndOutsideTheFieldMakeNoLooseEnds) {
   EXPECT_EQ(found.lines.points.size(), 5U);
   EXPECT_EQ(found.lines.segments.size(), 4U);
   EXPECT_NEAR(total_length(found.lines), 4.0, 1e-12);
+}
+
+TEST(Isolines, MoreThanThereIsMemoryForAreRefused) {
+  // Every face from 0 to 1: each of the levels crosses each of the faces, 2e10 times in all.
+  const test::Shape grid = test::plane_grid(100, 100, 1.0, 1.0);
+  const auto mesh = test::make_mesh(grid.soup);
+  std::vector<double> field(grid.soup.positions.size(), 0.0);
+  for (std::size_t f = 0; f < grid.soup.faces.size(); ++f) {
+    const auto& corners = grid.soup.faces[f];
+    if (std::ranges::none_of(corners, [&](Index v) { return field[v] > 0.0; })) field[corners[0]] = 1.0;
+  }
+  std::vector<double> levels(1'000'000);
+  for (std::size_t i = 0; i < levels.size(); ++i) levels[i] = (i + 0.5) / static_cast<double>(levels.size());
+  const auto sentence = [&](auto&& lines) { return test::refusal<NotEnoughMemory>(lines); };
+  for (const std::string& one :
+       {sentence([&] { isolines(*mesh, field, levels, Interpolation::linear); }),
+        sentence([&] { cut_at_levels(*mesh, field, levels, Interpolation::linear); })}) {
+    EXPECT_TRUE(one.starts_with("Finding the lines of 1000000 levels takes ")) << one;
+    EXPECT_TRUE(one.ends_with("Give fewer levels.")) << one;
+  }
+  levels.resize(2);
+  EXPECT_FALSE(isolines(*mesh, field, levels, Interpolation::linear).lines.segments.empty());
 }
 
 TEST(Isolines, CrossingOfTheDistanceFromAPointBesideTheEdge) {
