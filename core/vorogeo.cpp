@@ -253,8 +253,8 @@ inner::IndexOptions core_options(inner::IndexOptions wanted, const IndexOptions&
 
 IndexEstimate Surface::estimate_index(const IndexOptions& options) const {
   return translated([&] {
-    const auto estimate = estimate_build(state_->mesh, core_options(state_->options, options), true,
-                                         Progress(options.progress));
+    const auto estimate =
+        estimate_build(state_->mesh, core_options(state_->options, options), Progress(options.progress));
     return IndexEstimate{estimate.build_seconds, estimate.bytes, estimate.field_seconds,
                          estimate.exact_field_seconds};
   });

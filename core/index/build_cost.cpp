@@ -177,7 +177,7 @@ PartitionOptions share_of(const PartitionOptions& asked, double first_patches, c
 }  // namespace
 
 BuildEstimate estimate_build(const std::shared_ptr<const Mesh>& mesh, const IndexOptions& options,
-                             bool with_fields, const Progress& progress) {
+                             const Progress& progress) {
   require_buildable(*mesh, options);
   const Watch watch(progress, estimate_phase);
   const Progress still = progress.part(0.0, 0.0);
@@ -231,16 +231,14 @@ BuildEstimate estimate_build(const std::shared_ptr<const Mesh>& mesh, const Inde
         (seconds_per_transit_byte + seconds_per_transit_byte_and_node * border_of_first) * transit;
   }
   estimate.build_seconds = estimate.core_seconds / threads;
-  if (with_fields) {
-    const double run = run_seconds / (scale * std::max<Index>(1, data.second.node_count()));
-    estimate.field_seconds = (mesh->metric_jumps() ? seconds_near_source_of_jumps : runs_near_source * run) +
-                             seconds_per_vertex * vertices / threads;
-    const auto geometry = std::make_shared<const LocalGeometry>(mesh);
-    estimate.exact_field_seconds =
-        time_exact_field(geometry, max_field_seconds, still, estimate_phase).expected_seconds();
-    // Without borders, the near field is all.
-    if (data.second.node_count() == 0) estimate.field_seconds = estimate.exact_field_seconds;
-  }
+  const double run = run_seconds / (scale * std::max<Index>(1, data.second.node_count()));
+  estimate.field_seconds = (mesh->metric_jumps() ? seconds_near_source_of_jumps : runs_near_source * run) +
+                           seconds_per_vertex * vertices / threads;
+  const auto geometry = std::make_shared<const LocalGeometry>(mesh);
+  estimate.exact_field_seconds =
+      time_exact_field(geometry, max_field_seconds, still, estimate_phase).expected_seconds();
+  // Without borders, the near field is all.
+  if (data.second.node_count() == 0) estimate.field_seconds = estimate.exact_field_seconds;
   return estimate;
 }
 

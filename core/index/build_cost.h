@@ -59,10 +59,9 @@ struct BuildEstimate {
 };
 
 /// Estimates the cost of an index with these options from the layout and some exact runs of the mesh, or of
-/// parts of a large one. Takes a few percent of the build, on large meshes about a second. `with_fields`:
-/// also times an exact field, for up to half a second more. \throw InvalidInput as GeodesicIndex::build;
-/// Cancelled.
+/// parts of a large one, and times an exact field for up to half a second. Takes a few percent of the build,
+/// on large meshes about a second. \throw InvalidInput as GeodesicIndex::build; Cancelled.
 BuildEstimate estimate_build(const std::shared_ptr<const Mesh>& mesh, const IndexOptions& options = {},
-                             bool with_fields = true, const Progress& progress = {});
+                             const Progress& progress = {});
 
 }  // namespace vorogeo

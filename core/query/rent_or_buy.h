@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
 #include "support/parallel.h"
 #include "support/types.h"
@@ -52,12 +53,20 @@ class RentOrBuy {
     const double enough = answers_ >= least_answers ? least_price_ : likely_price * least_price_;
     return !has_price_ && answers_ >= 2 && rent_with_next() >= enough;
   }
-  void set_price(double seconds) {
+  /// What one whole field takes.
+  struct Fields {
+    double exact_seconds = 0.0;  ///< an exact one, on one thread
+    double index_share = 0.0;    ///< one from the index, in exact ones
+  };
+  void set_price(double seconds, std::optional<Fields> fields = {}) {
     price_ = seconds;
     has_price_ = true;
+    fields_ = fields;
   }
+  /// Set with the price.
+  const std::optional<Fields>& fields() const { return fields_; }
   /// The index cannot be had: rent for ever.
-  void give_up() { set_price(unreachable); }
+  void give_up() { set_price(unreachable, fields_); }
   bool has_given_up() const { return has_price_ && price_ == unreachable; }
   /// Whether an index should be built instead of the next exact answers, which take so many seconds; 0: of
   /// one more.
@@ -81,6 +90,7 @@ class RentOrBuy {
   double least_price_;
   double price_ = 0.0;
   bool has_price_ = false;
+  std::optional<Fields> fields_;
   double rent_ = 0.0;
   int answers_ = 0;
 };

@@ -24,6 +24,11 @@ constexpr int max_idle_per_thread = 2;
 /// Where an index would save a task so many whole fields, its price is estimated before the task begins.
 constexpr double many_fields = 16.0;
 
+/// Relative errors of fields in the mean, from an index that loses nothing and by the quick method: bounds of
+/// what was measured on scans, CAD parts and made meshes (docs/figures.md).
+constexpr double index_mean_error = 3e-4;
+constexpr double quick_mean_error = 1e-3;
+
 /// Number of pairs in one call from which landmarks usually save more time than they cost (docs/figures.md).
 constexpr std::size_t pairs_worth_landmarks = 1000;
 
@@ -97,11 +102,6 @@ RentOrBuy Surface::spent() const {
 void Surface::pay(double seconds) {
   const std::lock_guard lock(mutex_);
   spent_.pay(seconds);
-}
-
-std::optional<double> Surface::field_seconds() const {
-  const std::lock_guard lock(mutex_);
-  return field_seconds_;
 }
 
 void Surface::pay_for_fields(double seconds, double reach) {
@@ -184,6 +184,7 @@ void Surface::free_queries() {
 }
 
 double Surface::short_reach() const {
+  if (const auto fields = spent().fields()) return std::min(1.0, fields->index_share);
   // Measured on scans of 35,000 and 134,000 vertices: 0.035 and 0.015.
   return std::min(0.05, 40.0 * std::pow(std::max<double>(1.0, mesh_->vertex_count()), -2.0 / 3.0));
 }
@@ -233,19 +234,23 @@ void Surface::build_for_question(Answered& answered, Progress& progress) {
   answered.index_seconds = watch.seconds();
 }
 
-/// Chooses the index, and builds it, if exact answers have cost its price, or would have after this question,
-/// which needs so many whole fields more without it (below `many_fields`: after one more answer).
-Answer Surface::rent_or_build(double saved_fields, Answered& answered, Progress& progress) {
-  const bool is_long = saved_fields >= many_fields;
+/// Chooses the index, and builds it, if exact answers have cost its price, or would have after this question
+/// of so many fields (below `many_fields` whole ones: after one more answer). 0 fields: pairs.
+Answer Surface::rent_or_build(double fields, double reach, Answered& answered, Progress& progress) {
   if (spent().has_given_up()) return Answer::exact;
+  // What an index saves of each field: its own take as long as an exact one of short_reach().
+  const auto saved_fields = [&] { return fields * (reach - short_reach()); };
+  const bool is_long = saved_fields() >= many_fields;
   try {
-    if (is_long ? !field_seconds() : spent().wants_price()) {
-      const BuildEstimate estimate = estimate_build(mesh_, options_, is_long, progress.part(0.0, 0.0));
+    if (is_long ? !spent().fields() : spent().wants_price()) {
+      const BuildEstimate found = estimate_build(mesh_, options_, progress.part(0.0, 0.0));
+      const double exact_field = found.exact_field_seconds / threads_for_field(*mesh_, threads_);
       const std::lock_guard lock(mutex_);
-      spent_.set_price(estimate.build_seconds);
-      if (is_long) field_seconds_ = estimate.exact_field_seconds;
+      spent_.set_price(found.build_seconds,
+                       RentOrBuy::Fields{found.exact_field_seconds, found.field_seconds / exact_field});
     }
-    const double next = is_long ? saved_fields * *field_seconds() / threads_ : 0.0;
+    if (fields > 0.0 && reach <= short_reach()) return Answer::exact;
+    const double next = is_long ? saved_fields() * spent().fields()->exact_seconds / threads_ : 0.0;
     if (!spent().should_buy(next)) return Answer::exact;
     build_for_question(answered, progress);
     answered.remark = is_long ? "An index is expected to take less than the exact answers that were asked "
@@ -270,8 +275,7 @@ Answer Surface::choose(Answer method, double fields, double reach, Answered& ans
   if (mesh_->is_one_way()) return Answer::exact;
   if (reach <= short_reach()) return Answer::exact;
   if (index()) return Answer::index;
-  // What an index saves of each field: its own take as long as an exact one of short_reach().
-  return rent_or_build(fields * (reach - short_reach()), answered, progress);
+  return rent_or_build(fields, reach, answered, progress);
 }
 
 // ---- Fields
@@ -311,7 +315,12 @@ LabelledField Surface::field(std::span<const ExactSource> sources, double max_di
   found.distance = lend([&](Query& query) {
     auto distance = query.field(sources, max_distance, answered.by, threads_, &found.source, rest);
     answered.seconds = watch.seconds();
-    if (answered.by == Answer::exact) answered.expected_error = query.expected_error();
+    if (answered.by == Answer::exact) {
+      answered.expected_error = query.expected_error();
+    } else if (!mesh_->metric_jumps()) {
+      answered.expected_error =
+          answered.by == Answer::quick ? quick_mean_error : index_mean_error + index()->data().head.delta;
+    }
     return distance;
   });
   answered.unreached = count_unreached(*mesh_, sources);
@@ -325,6 +334,9 @@ LabelledField Surface::field(std::span<const ExactSource> sources, double max_di
 
 Answer Surface::choose_for_pairs(Answer method, Answered& answered, Progress& progress) {
   refuse_quick(method);
+  if (method == Answer::automatic && !mesh_->is_one_way()) {
+    return index() ? Answer::index : rent_or_build(0.0, 0.0, answered, progress);
+  }
   return choose(method, 1.0, 1.0, answered, progress);
 }
 

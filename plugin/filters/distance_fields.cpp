@@ -130,8 +130,8 @@ Results write_distance_field(FilterCall& call, LayerSurface& layer, const std::v
   call.log(text.str());
   if (answered.expected_error > 0.0) {
     std::ostringstream error;
-    error << "Expected error of the distances in this metric: " << std::setprecision(2)
-          << 100.0 * answered.expected_error << " % in the mean";
+    error << "Expected error of the distances: " << std::setprecision(2) << 100.0 * answered.expected_error
+          << " % in the mean";
     call.log(error.str());
   }
   results.merge(about_reach(call, reach, "max distance"));

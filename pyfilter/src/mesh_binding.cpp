@@ -179,7 +179,7 @@ nb::dict estimate(const PythonMesh& self, int threads, std::int64_t memory_budge
   options.memory_budget = memory_budget;
   ProgressBridge bridge(progress);
   const BuildEstimate found =
-      bridge.run([&](const Progress& report) { return estimate_build(self.mesh, options, true, report); });
+      bridge.run([&](const Progress& report) { return estimate_build(self.mesh, options, report); });
   nb::dict d;
   d["build_seconds"] = found.build_seconds;
   d["core_seconds"] = found.core_seconds;

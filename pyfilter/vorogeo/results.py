@@ -256,8 +256,9 @@ class Answered(NamedTuple):
     remark: Annotated[str, "What to know about the choice; empty if nothing."]
     expected_error: Annotated[
         float,
-        "Of the distances of an exact field, relative, in the mean: 0 but for rounding, or what is estimated where "
-        "values of faces jump. NaN for other answers.",
+        "Of the distances of a field, relative, in the mean: of an exact one 0 but for rounding, or what is estimated "
+        "where values of faces jump; of others what was measured on many meshes. NaN where none is known: from an "
+        "index where values of faces jump, and for what is not a field.",
     ] = math.nan
     unreached: Annotated[
         int, "Of a field, and of directions: vertices or targets to which no path leads, whatever the limit."

@@ -45,6 +45,11 @@ def name_of(label: str) -> str:
     return label.removesuffix(" (abs and %)").partition(" (0:")[0]
 
 
+def is_switch(node: Atspi.Accessible) -> bool:
+    """Whether it shows advanced parameters: in 2022.02 a box of that name, in 2025.07 an arrow with that tooltip."""
+    return any(text.endswith(" advanced parameters") for text in (node.get_name(), node.get_description()))
+
+
 class MeshLabWindow(Screen):
     """The main window of a MeshLab that was started with mesh files."""
 
@@ -118,7 +123,7 @@ class MeshLabWindow(Screen):
                 if child.get_role() == Atspi.Role.LABEL and child.get_description():
                     found.append(Parameter(child.get_name(), child.get_description(), widgets))
                     widgets = []
-                elif child.get_name() == "Show advanced parameters":
+                elif is_switch(child):
                     continue  # of the dialog, not of a parameter
                 elif child.get_role() in (*FIELDS, Atspi.Role.PUSH_BUTTON):
                     widgets.append(child)
@@ -135,7 +140,7 @@ class MeshLabWindow(Screen):
         parameter = next(entry for entry in self.parameters(dialog) if name_of(entry.label) == label)
         widgets = [widget for widget in parameter.widgets if widget.get_role() in FIELDS]
         if not all(map(self.is_showing, widgets)):
-            self.click(next(node for node in self.nodes(dialog) if node.get_name() == "Show advanced parameters"))
+            self.click(next(filter(is_switch, self.nodes(dialog))))
             wait_for(f"the field of {label}", lambda: all(map(self.is_showing, widgets)))
         for widget, value in zip(widgets, values, strict=False):
             if widget.get_role() == Atspi.Role.COMBO_BOX:
@@ -148,7 +153,7 @@ class MeshLabWindow(Screen):
     def enter(self, widget: Atspi.Accessible, value: str) -> None:
         """Replace the text of a field."""
         for _ in range(TRIES):
-            self.click(widget, times=3)
+            widget.grab_focus()  # a click would miss what the dialog has to be scrolled for
             self.keys("ctrl+a")
             self.write(value)
             self.keys("Tab")

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <latch>
 #include <numbers>
 #include <string>
@@ -46,7 +47,7 @@ TEST(Surface, AFieldThatReachesASmallPartIsExactAlthoughThereIsAnIndex) {
 }
 
 TEST(Surface, BuildsAnIndexWhenExactAnswersTookAsLong) {
-  const auto mesh = test::make_mesh(test::icosphere(3));
+  const auto mesh = test::make_mesh(test::icosphere(5));
   RentOrBuy spent(mesh->vertex_count());
   Surface surface(mesh, nullptr, spent);
   const auto sources = from_vertices({5});
@@ -63,6 +64,24 @@ TEST(Surface, BuildsAnIndexWhenExactAnswersTookAsLong) {
   EXPECT_GT(answered.index_seconds, 0.0);
   EXPECT_NE(answered.remark, "");
   EXPECT_TRUE(later.index());
+}
+
+TEST(Surface, BuildsNoIndexForFieldsThatItWouldNotGiveSooner) {
+  // One patch without a border: its fields are exact runs over all of the mesh.
+  const auto mesh = test::make_mesh(test::icosphere(1));
+  RentOrBuy spent(mesh->vertex_count());
+  for (int i = 0; i < 10; ++i) spent.pay(360.0);
+  Surface surface(mesh, nullptr, spent, {.first_layer_patches = 1, .second_layer_patches = 1});
+  Answered answered;
+  for (int i = 0; i < 3; ++i) {
+    surface.field(from_vertices({5}), unreachable, Answer::automatic, answered);
+    EXPECT_EQ(answered.by, Answer::exact);
+  }
+  EXPECT_EQ(surface.spent().rent(), 3600.0) << "an index would not have been faster";
+  EXPECT_FALSE(surface.index());
+  const SurfacePoint one = SurfacePoint::at_vertex(0);
+  surface.distance(one, SurfacePoint::at_vertex(7), Answer::automatic, answered);
+  EXPECT_EQ(answered.by, Answer::index) << "a pair is read from a table";
 }
 
 TEST(Surface, StaysExactWhereNoIndexCanBeHad) {
@@ -98,6 +117,26 @@ TEST(Surface, StaysExactOnLengthsThatAnIndexDoesNotTake) {
   EXPECT_EQ(answered.by, Answer::exact);
   EXPECT_NE(answered.remark.find("an index takes lengths between"), std::string::npos);
   EXPECT_EQ(field.distance, exact_distance_field(mesh, std::vector<Index>{5}));
+}
+
+TEST(Surface, FieldsErrNoMoreInTheMeanThanIsExpectedOfThem) {
+  const test::Shape plane = test::plane_grid(60, 50, 3.0, 2.5, 0.3);
+  const auto mesh = test::make_mesh(plane.soup);
+  Surface surface(mesh);
+  double last = 0.0;
+  for (const Answer by : {Answer::exact, Answer::index, Answer::quick}) {
+    Answered answered;
+    const LabelledField field = surface.field(from_vertices({1234}), unreachable, by, answered);
+    double sum = 0.0;
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      const double straight = plane.vertex_distance(1234, v);
+      if (straight > 0.0) sum += std::abs(field.distance[v] / straight - 1.0);
+    }
+    EXPECT_LE(sum / mesh->vertex_count(), answered.expected_error + 1e-13);
+    EXPECT_GE(answered.expected_error, last);
+    last = answered.expected_error;
+  }
+  EXPECT_LE(last, 0.003) << "quick";
 }
 
 TEST(Surface, NamesWhatAnswersAtOnce) {
