@@ -10,6 +10,7 @@ from screen import Atspi, Screen, wait_for
 
 FIELDS = (Atspi.Role.TEXT, Atspi.Role.COMBO_BOX, Atspi.Role.CHECK_BOX, Atspi.Role.SPIN_BUTTON)
 WINDOWS = (Atspi.Role.FRAME, Atspi.Role.DIALOG, Atspi.Role.ALERT)
+MOST_TABS = 80  # more than a dialog has widgets
 MAX_DOWN = 12  # a filter is among the first entries when its whole name was typed
 TRIES = 3  # of what a click or a key may miss on a busy machine
 
@@ -153,7 +154,7 @@ class MeshLabWindow(Screen):
     def enter(self, widget: Atspi.Accessible, value: str) -> None:
         """Replace the text of a field."""
         for _ in range(TRIES):
-            widget.grab_focus()  # a click would miss what the dialog has to be scrolled for
+            self.focus(widget)
             self.keys("ctrl+a")
             self.write(value)
             self.keys("Tab")
@@ -163,6 +164,29 @@ class MeshLabWindow(Screen):
             except TimeoutError:
                 pass
         raise TimeoutError(f"the field holds '{text_of(widget)}' instead of '{value}'")
+
+    def is_in_sight(self, widget: Atspi.Accessible) -> bool:
+        """Whether its middle lies in all that it is part of: what is scrolled away does not."""
+        left, top, width, height = self.box(widget)
+        x, y = left + width // 2, top + height // 2
+        around = widget.get_parent()
+        while around.get_role() != Atspi.Role.APPLICATION:
+            left, top, width, height = self.box(around)
+            if not (left <= x < left + width and top <= y < top + height):
+                return False
+            around = around.get_parent()
+        return True
+
+    def focus(self, widget: Atspi.Accessible) -> None:
+        """Click a field, or go to it by Tab where the dialog has to be scrolled for it."""
+        if self.is_in_sight(widget):
+            self.click(widget, times=3)
+            return
+        for _ in range(MOST_TABS):
+            self.keys("Tab")
+            if widget.get_state_set().contains(Atspi.StateType.FOCUSED):
+                return
+        raise TimeoutError("no number of tabs leads to the field")
 
     def choose(self, box: Atspi.Accessible, entry: str) -> None:
         """Choose an entry of a combo box by keyboard."""
