@@ -176,6 +176,25 @@ check "rules for Python (ruff)" .venv/bin/ruff check .
 suite structure run_pytest structure .venv/bin/python tests/structure
 check "types of Python (mypy)" .venv/bin/mypy --config-file pyfilter/pyproject.toml --package vorogeo  # as installed
 
+# The plugin is loaded by the tests themselves in one folder and by the package vorogeo in the other, and cannot be
+# unloaded: each folder has a process of its own. A quick run leaves out what other programs do with the package.
+python_newer() {
+  local python=.venv/bin/python others=(tests/python tests/wheels) beside
+  [ "$quick" = no ] || others=(tests/python --ignore=tests/python/test_{bench,cli_batch,dask,systems}.py)
+  {
+    suite plugin-2025.7 run_pytest plugin-2025.7 "$python" tests/plugin --ignore=tests/plugin/test_older_pymeshlab.py
+    suite python-2025.7 run_pytest python-2025.7 "$python" "${others[@]}" --ignore-glob='*/test_numpy_*'
+  } &
+  beside=$!
+  [ "$quick" = yes ] || wait "$beside"  # the other core builds what sanitizers watch
+  suite numpy-2025.7 run_pytest numpy-2025.7 "$python" tests/contract tests/python/test_numpy_*.py
+  wait "$beside"
+}
+if [ "$quick" = yes ]; then  # which has nothing else to do meanwhile than the C++ tests
+  python_newer &
+  newer=$!
+fi
+
 # The public header for VCG meshes is tested where set-up has obtained the host's headers.
 vcg="$(find "$PWD/build/host" -maxdepth 4 -type d -path '*/2025.07/*' -name vcglib 2>/dev/null | head -n 1)"
 if check "build of the C++ tests" build release "-DVOROGEO_VCG_INCLUDE_DIR=$vcg"; then
@@ -217,22 +236,12 @@ if [ "$all" = yes ]; then
   compile_check "core with libc++" clang++-16 -stdlib=libc++
 fi
 
-# The plugin is loaded by the tests themselves in one folder and by the package vorogeo in the other, and cannot be
-# unloaded: each folder has a process of its own. Older PyMeshLab versions are asked only for what differs between them:
-# loading, registration, parameters and files, the host's own methods, and how the package finds its plugin.
+# Older PyMeshLab versions are asked only for what differs between them: loading, registration, parameters and files, the
+# host's own methods, and how the package finds its plugin.
 older=()
 for name in loading registration index_filters path_filters method_comparison filter_scripts host_conditions; do
   older+=("tests/plugin/test_$name.py")
 done
-python_newer() {
-  local python=.venv/bin/python both=()
-  suite plugin-2025.7 run_pytest plugin-2025.7 "$python" tests/plugin --ignore=tests/plugin/test_older_pymeshlab.py &
-  both+=($!)
-  [ "$quick" = yes ] || wait "${both[@]}"  # the other core builds what sanitizers watch
-  suite python-2025.7 run_pytest python-2025.7 "$python" tests/python tests/contract tests/wheels &
-  both+=($!)
-  wait "${both[@]}"
-}
 # Usage: python_older PYMESHLAB
 python_older() {
   local python="build/venv-${1%.*}/bin/python"
@@ -248,8 +257,10 @@ all_older() {
     echo "skip PyMeshLab 2023.12: the headers of MeshLab 2023.12 cannot be had: $(grep -o 'git clone: .*' "$log")" >>"$checks"
   fi
 }
-python_newer &
-newer=$!
+if [ "$quick" = no ]; then
+  python_newer &
+  newer=$!
+fi
 [ "$all" = no ] || all_older
 
 if [ "$quick" = no ]; then
@@ -282,5 +293,5 @@ if [ "$all" = yes ]; then
 else
   echo "skip what only --all runs: MeshLab's window, PyMeshLab 2022.2 and 2023.12, arm64, libc++, wheels, recipes, the thread sanitizer, long fuzzing" >>"$checks"
 fi
-[ "$quick" = no ] || echo "skip what --quick leaves out: sanitizers, fuzzers, hostile meshes, the installed library" >>"$checks"
+[ "$quick" = no ] || echo "skip what --quick leaves out: sanitizers, fuzzers, hostile meshes, the installed library, other programs with the package" >>"$checks"
 finish
