@@ -180,7 +180,7 @@ check "types of Python (mypy)" .venv/bin/mypy --config-file pyfilter/pyproject.t
 # unloaded: each folder has a process of its own. A quick run leaves out what other programs do with the package.
 python_newer() {
   local python=.venv/bin/python others=(tests/python tests/wheels) beside
-  [ "$quick" = no ] || others=(tests/python --ignore=tests/python/test_{bench,cli_batch,dask,systems}.py)
+  [ "$quick" = no ] || others=(tests/python --ignore=tests/python/test_{bench,cli_batch,dask}.py)
   {
     suite plugin-2025.7 run_pytest plugin-2025.7 "$python" tests/plugin --ignore=tests/plugin/test_older_pymeshlab.py
     suite python-2025.7 run_pytest python-2025.7 "$python" "${others[@]}" --ignore-glob='*/test_numpy_*'
@@ -190,7 +190,7 @@ python_newer() {
   suite numpy-2025.7 run_pytest numpy-2025.7 "$python" tests/contract tests/python/test_numpy_*.py
   wait "$beside"
 }
-if [ "$quick" = yes ]; then  # which has nothing else to do meanwhile than the C++ tests
+if [ "$quick" = yes ]; then  # beside the C++ tests, so that both cores are busy
   python_newer &
   newer=$!
 fi

@@ -36,7 +36,8 @@ class Stopwatch {
 /// Exact answers are rent, an index is bought: renting until the rent would exceed the price, and buying
 /// then, costs at most twice as much as the better of both for any number of questions, and without knowledge
 /// of the future no rule does better (Karlin, Manasse, Rudolph, Sleator: Competitive snoopy caching,
-/// Algorithmica 3, 1988). The price is an estimate, so "twice" holds up to its error.
+/// Algorithmica 3, 1988). The price is an estimate, so "twice" holds up to its error. Of a field, the rent is
+/// only what an index would save.
 class RentOrBuy {
  public:
   /// For a mesh of so many vertices.
@@ -56,7 +57,7 @@ class RentOrBuy {
   /// What one whole field takes.
   struct Fields {
     double exact_seconds = 0.0;  ///< an exact one, on one thread
-    double index_share = 0.0;    ///< one from the index, in exact ones
+    double index_share = 0.0;    ///< one from the index on one thread, as a part of that
   };
   void set_price(double seconds, std::optional<Fields> fields = {}) {
     price_ = seconds;

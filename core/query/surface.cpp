@@ -24,8 +24,11 @@ constexpr int max_idle_per_thread = 2;
 /// Where an index would save a task so many whole fields, its price is estimated before the task begins.
 constexpr double many_fields = 16.0;
 
-/// Relative errors of fields in the mean, from an index that loses nothing and by the quick method: bounds of
-/// what was measured on scans, CAD parts and made meshes (docs/figures.md).
+/// A number of fields: pairs are asked for.
+constexpr double only_pairs = 0.0;
+
+/// Relative errors of fields in the mean, from an index and by the quick method: bounds of what was measured
+/// on scans, CAD parts and made meshes (docs/figures.md).
 constexpr double index_mean_error = 3e-4;
 constexpr double quick_mean_error = 1e-3;
 
@@ -106,7 +109,8 @@ void Surface::pay(double seconds) {
 
 void Surface::pay_for_fields(double seconds, double reach) {
   // Only time that an index would save counts towards one.
-  if (reach > short_reach()) pay(seconds * (1.0 - short_reach() / reach));
+  const double saved = saved_of_field(reach);
+  if (saved > 0.0) pay(seconds * saved / reach);
 }
 
 std::shared_ptr<const GeodesicIndex> Surface::build_index(const Progress& progress) {
@@ -184,7 +188,6 @@ void Surface::free_queries() {
 }
 
 double Surface::short_reach() const {
-  if (const auto fields = spent().fields()) return std::min(1.0, fields->index_share);
   // Measured on scans of 35,000 and 134,000 vertices: 0.035 and 0.015.
   return std::min(0.05, 40.0 * std::pow(std::max<double>(1.0, mesh_->vertex_count()), -2.0 / 3.0));
 }
@@ -234,23 +237,32 @@ void Surface::build_for_question(Answered& answered, Progress& progress) {
   answered.index_seconds = watch.seconds();
 }
 
+/// What an index saves of a field that reaches so much of the surface, as a part of an exact whole one.
+double Surface::saved_of_field(double reach) const {
+  const auto fields = spent().fields();
+  return std::max(0.0, reach - (fields ? fields->index_share : short_reach()));
+}
+
 /// Chooses the index, and builds it, if exact answers have cost its price, or would have after this question
-/// of so many fields (below `many_fields` whole ones: after one more answer). 0 fields: pairs.
+/// of so many fields (below `many_fields` saved ones: after one more answer) or of pairs.
 Answer Surface::rent_or_build(double fields, double reach, Answered& answered, Progress& progress) {
-  if (spent().has_given_up()) return Answer::exact;
-  // What an index saves of each field: its own take as long as an exact one of short_reach().
-  const auto saved_fields = [&] { return fields * (reach - short_reach()); };
-  const bool is_long = saved_fields() >= many_fields;
+  if (mesh_->is_one_way() || spent().has_given_up()) return Answer::exact;
+  const bool is_long = fields * saved_of_field(reach) >= many_fields;
   try {
     if (is_long ? !spent().fields() : spent().wants_price()) {
-      const BuildEstimate found = estimate_build(mesh_, options_, progress.part(0.0, 0.0));
-      const double exact_field = found.exact_field_seconds / threads_for_field(*mesh_, threads_);
+      IndexOptions alone = options_;
+      alone.threads = 1;
+      const BuildEstimate found = estimate_build(mesh_, alone, progress.part(0.0, 0.0));
+      // Some clocks do not see short fields.
+      const double share = found.exact_field_seconds > 0.0
+                               ? std::min(1.0, found.field_seconds / found.exact_field_seconds)
+                               : short_reach();
       const std::lock_guard lock(mutex_);
-      spent_.set_price(found.build_seconds,
-                       RentOrBuy::Fields{found.exact_field_seconds, found.field_seconds / exact_field});
+      spent_.set_price(found.core_seconds / threads_, RentOrBuy::Fields{found.exact_field_seconds, share});
     }
-    if (fields > 0.0 && reach <= short_reach()) return Answer::exact;
-    const double next = is_long ? saved_fields() * spent().fields()->exact_seconds / threads_ : 0.0;
+    const double saved = fields * saved_of_field(reach);
+    if (fields > only_pairs && saved <= 0.0) return Answer::exact;
+    const double next = is_long ? saved * spent().fields()->exact_seconds / threads_ : 0.0;
     if (!spent().should_buy(next)) return Answer::exact;
     build_for_question(answered, progress);
     answered.remark = is_long ? "An index is expected to take less than the exact answers that were asked "
@@ -272,7 +284,6 @@ Answer Surface::choose(Answer method, double fields, double reach, Answered& ans
   if (fields <= 0.0 && !index()) return Answer::exact;  // nothing is asked, so nothing is built
   if (method == Answer::index && !index()) build_for_question(answered, progress);
   if (method != Answer::automatic) return method;
-  if (mesh_->is_one_way()) return Answer::exact;
   if (reach <= short_reach()) return Answer::exact;
   if (index()) return Answer::index;
   return rent_or_build(fields, reach, answered, progress);
@@ -318,8 +329,7 @@ LabelledField Surface::field(std::span<const ExactSource> sources, double max_di
     if (answered.by == Answer::exact) {
       answered.expected_error = query.expected_error();
     } else if (!mesh_->metric_jumps()) {
-      answered.expected_error =
-          answered.by == Answer::quick ? quick_mean_error : index_mean_error + index()->data().head.delta;
+      answered.expected_error = answered.by == Answer::quick ? quick_mean_error : index_mean_error;
     }
     return distance;
   });
@@ -334,9 +344,7 @@ LabelledField Surface::field(std::span<const ExactSource> sources, double max_di
 
 Answer Surface::choose_for_pairs(Answer method, Answered& answered, Progress& progress) {
   refuse_quick(method);
-  if (method == Answer::automatic && !mesh_->is_one_way()) {
-    return index() ? Answer::index : rent_or_build(0.0, 0.0, answered, progress);
-  }
+  if (method == Answer::automatic && !index()) return rent_or_build(only_pairs, 0.0, answered, progress);
   return choose(method, 1.0, 1.0, answered, progress);
 }
 

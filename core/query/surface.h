@@ -34,8 +34,8 @@ struct Answered {
   double index_seconds = 0.0;  ///< of an index that was built for it; 0 if none was
   std::string remark;          ///< what a user should know about the choice; empty if nothing
   /// Expected relative error of a field's distances in the mean: of an exact one 0 up to rounding, or an
-  /// estimate where the metric jumps at edges; of others what was measured on many meshes. NaN if unknown: of
-  /// an index where the metric jumps, and of what is not a field.
+  /// estimate where the metric jumps at edges; of others a bound of what was measured on many meshes with
+  /// default patches. NaN if unknown: of an index where the metric jumps, and of what is not a field.
   double expected_error = std::numeric_limits<double>::quiet_NaN();
   /// Of a field, and of directions: vertices, targets or pairs to which no path leads, however long.
   Index unreached = 0;
@@ -127,7 +127,7 @@ class Surface {
   /// The part of the surface within a distance from a point, as in the plane.
   double reach_of(double distance);
   /// A field from the index takes as long as an exact one over about this part of the surface, which is the
-  /// smaller the larger the mesh: what reaches no farther is exact. 1 where no index can give fields sooner.
+  /// smaller the larger the mesh: what reaches no farther is exact.
   double short_reach() const;
   /// Exact fields of that reach have taken so many seconds, which count towards an index; see RentOrBuy.
   void pay_for_fields(double seconds, double reach);
@@ -149,6 +149,7 @@ class Surface {
 
  private:
   Answer choose_for_pairs(Answer method, Answered& answered, Progress& progress);
+  double saved_of_field(double reach) const;
   Answer rent_or_build(double fields, double reach, Answered& answered, Progress& progress);
   void build_for_question(Answered& answered, Progress& progress);
   void pay(double seconds);

@@ -170,14 +170,21 @@ std::int64_t number_in(const char* file) {
   return in >> value ? value : unknown;
 }
 
-std::int64_t system_available() {
-  std::ifstream in("/proc/meminfo");
+/// The number after a name in a file of such lines; `unknown` if there is none.
+std::int64_t number_after(const std::string& wanted, const char* file) {
+  std::ifstream in(file);
   std::string name;
-  std::int64_t kilobytes = 0;
-  while (in >> name >> kilobytes) {
-    if (name == "MemAvailable:") return kilobytes * 1024;
+  std::int64_t value = 0;
+  while (in >> name >> value) {
+    if (name == wanted) return value;
     in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
   }
+  return unknown;
+}
+
+std::int64_t system_available() {
+  const std::int64_t kilobytes = number_after("MemAvailable:", "/proc/meminfo");
+  if (kilobytes != unknown) return kilobytes * 1024;
   return std::int64_t{::sysconf(_SC_PHYS_PAGES)} * ::sysconf(_SC_PAGESIZE);  // not Linux: all there is
 }
 
@@ -185,7 +192,9 @@ std::int64_t group_available() {
   const std::int64_t limit = number_in("/sys/fs/cgroup/memory.max");
   const std::int64_t used = number_in("/sys/fs/cgroup/memory.current");
   if (limit == unknown || used == unknown) return unknown;
-  return std::max<std::int64_t>(0, limit - used);
+  // Pages of files that were read count as used until someone needs the memory.
+  const std::int64_t files = number_after("inactive_file", "/sys/fs/cgroup/memory.stat");
+  return std::clamp<std::int64_t>(limit - used + (files == unknown ? 0 : files), 0, limit);
 }
 
 std::int64_t address_space_available() {

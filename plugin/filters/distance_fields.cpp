@@ -130,8 +130,10 @@ Results write_distance_field(FilterCall& call, LayerSurface& layer, const std::v
   call.log(text.str());
   if (answered.expected_error > 0.0) {
     std::ostringstream error;
-    error << "Expected error of the distances: " << std::setprecision(2) << 100.0 * answered.expected_error
-          << " % in the mean";
+    const bool is_exact = answered.by == Answer::exact;
+    error << "Error of the distances, in the mean: " << (is_exact ? "about " : "at most ")
+          << std::setprecision(2) << 100.0 * answered.expected_error << " %, "
+          << (is_exact ? "estimated for this metric" : "as measured on many meshes");
     call.log(error.str());
   }
   results.merge(about_reach(call, reach, "max distance"));

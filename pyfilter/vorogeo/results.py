@@ -257,8 +257,8 @@ class Answered(NamedTuple):
     expected_error: Annotated[
         float,
         "Of the distances of a field, relative, in the mean: of an exact one 0 but for rounding, or what is estimated "
-        "where values of faces jump; of others what was measured on many meshes. NaN where none is known: from an "
-        "index where values of faces jump, and for what is not a field.",
+        "where values of faces jump; of others a bound of what was measured on many meshes with default patches. NaN "
+        "where none is known: from an index where values of faces jump, and for what is not a field.",
     ] = math.nan
     unreached: Annotated[
         int, "Of a field, and of directions: vertices or targets to which no path leads, whatever the limit."

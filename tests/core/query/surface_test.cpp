@@ -123,7 +123,6 @@ TEST(Surface, FieldsErrNoMoreInTheMeanThanIsExpectedOfThem) {
   const test::Shape plane = test::plane_grid(60, 50, 3.0, 2.5, 0.3);
   const auto mesh = test::make_mesh(plane.soup);
   Surface surface(mesh);
-  double last = 0.0;
   for (const Answer by : {Answer::exact, Answer::index, Answer::quick}) {
     Answered answered;
     const LabelledField field = surface.field(from_vertices({1234}), unreachable, by, answered);
@@ -133,10 +132,7 @@ TEST(Surface, FieldsErrNoMoreInTheMeanThanIsExpectedOfThem) {
       if (straight > 0.0) sum += std::abs(field.distance[v] / straight - 1.0);
     }
     EXPECT_LE(sum / mesh->vertex_count(), answered.expected_error + 1e-13);
-    EXPECT_GE(answered.expected_error, last);
-    last = answered.expected_error;
   }
-  EXPECT_LE(last, 0.003) << "quick";
 }
 
 TEST(Surface, NamesWhatAnswersAtOnce) {
