@@ -195,7 +195,7 @@ def test_quick_is_close_to_exact_and_leaves_no_index():
 
 
 def test_automatic_builds_an_index_when_exact_answers_took_as_long():
-    vertices, faces = sphere(2)
+    vertices, faces = sphere(4)
     ms = mesh_set(vertices * 1.73, faces)
     for _ in range(5000):
         result = ms.apply_filter(filters.FROM_POINT, vertex_index=5)
