@@ -18,7 +18,8 @@ namespace {
 
 /// Points settled between two reports of progress.
 constexpr std::size_t points_per_report = 4096;
-/// By how much, relative to its distance, a settled point must become nearer to be settled again.
+/// By how much, relative to its distance, a settled point must become nearer to be settled again: less than
+/// distances err by, as waves are known at the points of edges only.
 constexpr double gain_to_settle = 1e-6;
 /// How often a point is settled at most; in practice none is settled so often.
 constexpr std::uint8_t most_times = 100;
