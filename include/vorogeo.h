@@ -136,7 +136,7 @@ struct Field {
   std::vector<double> distance = {};  ///< of every vertex
   std::vector<int> label = {};  ///< with labels, position of the nearest source in the list; -1 for none
   /// Mean relative error expected of the field: of an exact one 0 but for rounding, or an estimate where the
-  /// metric jumps at edges; of others a bound of what was measured on many meshes with default patches. NaN
+  /// metric jumps at edges; of others a bound on the errors measured on many meshes with default patches. NaN
   /// from an index where the metric jumps.
   double expected_error = std::numeric_limits<double>::quiet_NaN();
   int unreached = 0;  ///< vertices to which no path leads, whatever the limit

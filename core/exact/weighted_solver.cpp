@@ -18,8 +18,8 @@ namespace {
 
 /// Points settled between two reports of progress.
 constexpr std::size_t points_per_report = 4096;
-/// By how much, relative to its distance, a settled point must become nearer to be settled again: less than
-/// distances err by, as waves are known at the points of edges only.
+/// By how much, relative to its distance from the source, a settled point must become nearer to be settled
+/// again: less than distances err by, as waves are known at the points of edges only.
 constexpr double gain_to_settle = 1e-6;
 /// How often a point is settled at most; in practice none is settled so often.
 constexpr std::uint8_t most_times = 100;
@@ -67,7 +67,8 @@ void WeightedSolver::reach(Index point, const Arrival& arrival) {
   if (!(arrival.distance < state.distance)) return;
   if (state.settled) {
     // Behind a piece of an edge, a point may be nearer than the ends of the piece.
-    if (state.settled >= most_times || !(arrival.distance < state.distance * (1.0 - gain_to_settle)) ||
+    const double far = std::abs(state.distance - sources_[state.source].offset);
+    if (state.settled >= most_times || !(arrival.distance < state.distance - gain_to_settle * far) ||
         came_by(arrival.from, point)) {
       return;
     }

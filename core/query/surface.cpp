@@ -27,7 +27,7 @@ constexpr double many_fields = 16.0;
 /// A number of fields: pairs are asked for.
 constexpr double only_pairs = 0.0;
 
-/// Relative errors of fields in the mean, from an index and by the quick method: bounds of what was measured
+/// Relative errors of fields in the mean, from an index and by the quick method: bounds on what was measured
 /// on scans, CAD parts and made meshes (docs/figures.md).
 constexpr double index_mean_error = 3e-4;
 constexpr double quick_mean_error = 1e-3;
@@ -240,7 +240,7 @@ void Surface::build_for_question(Answered& answered, Progress& progress) {
 /// What an index saves of a field that reaches so much of the surface, as a part of an exact whole one.
 double Surface::saved_of_field(double reach) const {
   const auto fields = spent().fields();
-  return std::max(0.0, reach - (fields ? fields->index_share : short_reach()));
+  return std::max(0.0, reach - std::max(short_reach(), fields ? fields->index_share : 0.0));
 }
 
 /// Chooses the index, and builds it, if exact answers have cost its price, or would have after this question

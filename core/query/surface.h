@@ -34,7 +34,7 @@ struct Answered {
   double index_seconds = 0.0;  ///< of an index that was built for it; 0 if none was
   std::string remark;          ///< what a user should know about the choice; empty if nothing
   /// Expected relative error of a field's distances in the mean: of an exact one 0 up to rounding, or an
-  /// estimate where the metric jumps at edges; of others a bound of what was measured on many meshes with
+  /// estimate where the metric jumps at edges; of others a bound on the errors measured on many meshes with
   /// default patches. NaN if unknown: of an index where the metric jumps, and of what is not a field.
   double expected_error = std::numeric_limits<double>::quiet_NaN();
   /// Of a field, and of directions: vertices, targets or pairs to which no path leads, however long.

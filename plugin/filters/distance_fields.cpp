@@ -131,7 +131,7 @@ Results write_distance_field(FilterCall& call, LayerSurface& layer, const std::v
   if (answered.expected_error > 0.0) {
     std::ostringstream error;
     const bool is_exact = answered.by == Answer::exact;
-    error << "Error of the distances, in the mean: " << (is_exact ? "about " : "at most ")
+    error << "Error of the distances, in the mean: " << (is_exact ? "about " : "usually below ")
           << std::setprecision(2) << 100.0 * answered.expected_error << " %, "
           << (is_exact ? "estimated for this metric" : "as measured on many meshes");
     call.log(error.str());

@@ -257,7 +257,7 @@ class Answered(NamedTuple):
     expected_error: Annotated[
         float,
         "Of the distances of a field, relative, in the mean: of an exact one 0 but for rounding, or what is estimated "
-        "where values of faces jump; of others a bound of what was measured on many meshes with default patches. NaN "
+        "where values of faces jump; of others a bound on the errors measured on many meshes with default patches. NaN "
         "where none is known: from an index where values of faces jump, and for what is not a field.",
     ] = math.nan
     unreached: Annotated[

@@ -20,10 +20,6 @@ namespace vorogeo::test {
 /// Stands for the scans that costs are compared with.
 inline constexpr unsigned scan_seed = 0;
 
-/// Relative errors of an index and of quick fields above this are findings. Documented errors
-/// (docs/figures.md) are those of usual meshes; here patches have a handful of faces of any shape.
-inline constexpr double greatest_error = 0.01;
-
 class HostileCase {
  public:
   HostileCase(unsigned seed, HostileMesh hostile, HostileTally& tally);
@@ -74,7 +70,10 @@ class HostileCase {
   std::array<std::vector<double>, 2> exact;
   double typical = 1.0;   ///< median edge
   double farthest = 0.0;  ///< largest coordinate
-  double dearest = 0.0;   ///< greatest cost of a step, as a part of what it may cost
+  /// Relative errors of an index and of quick fields above this are findings. Documented errors
+  /// (docs/figures.md) are those of usual meshes; here patches have a handful of faces of any shape.
+  double greatest_error = 0.01;
+  double dearest = 0.0;  ///< greatest cost of a step, as a part of what it may cost
   unsigned findings = 0;
 
  private:

@@ -25,7 +25,7 @@ using namespace vorogeo::test;
 constexpr const char* usage =
     "usage: hostile_fuzz [--count N | --hours H] [--first SEED | --of-today] [--vertices N | --mixed] "
     "[--jobs N] "
-    "[--no-costs] [--exact-only] [--spoilt]\n"
+    "[--error E] [--no-costs] [--exact-only] [--spoilt]\n"
     "       hostile_fuzz --seed SEED [--vertices N] [--spoilt]\n"
     "  --count     meshes, seeds from --first on (default 1000, first 1)\n"
     "  --hours     as many as fit this time instead\n"
@@ -36,6 +36,7 @@ constexpr const char* usage =
     "  --mixed     sizes of 60, some of 200, 600, 2500, 6000 and 10000\n"
     "  --jobs      processes (default 1)\n"
     "  --seed      one mesh in this process: what a finding names\n"
+    "  --error     relative error of an index and of quick fields above which it is a finding (default .01)\n"
     "  --no-costs  does not compare time and memory with those of a scan\n"
     "  --exact-only  exact fields alone, with 1, 2, 3 and 8 threads: no index, no costs\n"
     "  --spoilt    meshes have what the generator leaves out, and are refused with values that are none\n";
@@ -51,6 +52,7 @@ struct Options {
   bool costs = true;
   bool index = true;
   bool spoilt = false;
+  double greatest_error = 0.01;
 };
 
 #ifdef VOROGEO_SMALL_TESTS
@@ -153,6 +155,7 @@ void examine_seed(unsigned seed, const Options& options, HostileTally& tally, Sc
   if (options.spoilt) spoil(mesh, HostileRandom(seed));
   tally.vertices = std::max(vertices, static_cast<int>(mesh.soup.positions.size()));
   HostileCase hostile(seed, std::move(mesh), tally);
+  hostile.greatest_error = options.greatest_error;
   if (options.spoilt) require_refusals(hostile);
   // An exception of a check itself, as where its reference finds no memory, is a finding as well.
   hostile.attempt([&] { examine(hostile, options, options.costs ? &scans : nullptr); });
@@ -323,6 +326,8 @@ bool read_options(int argc, char** argv, Options& options) {
       options.first = static_cast<unsigned>(value);
       options.count = 1;
       options.single = true;
+    } else if (name == "--error") {
+      options.greatest_error = value;
     } else if (name == "--first") {
       options.first = static_cast<unsigned>(value);
     } else if (name == "--count") {

@@ -86,7 +86,8 @@ void IndexCheck::check_fields() {
     hostile_.require_sound(field, source, 2.0);
     for (Index v = 0; v < mesh_.vertex_count(); ++v) {
       hostile_.note_error(ErrorKind::field, field[v], exact[v]);
-      if (std::abs(field[v] - exact[v]) <= greatest_error * exact[v] + hostile_.slack(exact[v])) continue;
+      if (std::abs(field[v] - exact[v]) <= hostile_.greatest_error * exact[v] + hostile_.slack(exact[v]))
+        continue;
       if (field[v] == exact[v]) continue;
       hostile_.fail("a field is far off", "vertex " + std::to_string(v) + ": " + exactly(field[v]) +
                                               ", exact " + exactly(exact[v]));
@@ -111,8 +112,8 @@ void IndexCheck::check_pairs() {
           if (!(distance >= 0.0)) hostile_.fail("a negative distance or none", numbers);
           if ((distance < unreachable) != (exact < unreachable)) {
             hostile_.fail("reached or not, against the components", numbers);
-          } else if (exact < unreachable &&
-                     !(std::abs(distance - exact) <= greatest_error * exact + hostile_.slack(exact))) {
+          } else if (exact < unreachable && !(std::abs(distance - exact) <=
+                                              hostile_.greatest_error * exact + hostile_.slack(exact))) {
             hostile_.fail("a pair is far off", numbers);
           }
           hostile_.note_error(ErrorKind::pair, distance, exact);
@@ -165,8 +166,9 @@ void IndexCheck::check_voronoi() {
     }
     if (region == no_index) continue;
     hostile_.note_error(ErrorKind::voronoi, regions.distance[v], nearest);
-    if (!(std::abs(regions.distance[v] - nearest) <= greatest_error * nearest + hostile_.slack(nearest)) ||
-        both[region] > (1.0 + 2.0 * greatest_error) * nearest + hostile_.slack(both[region])) {
+    if (!(std::abs(regions.distance[v] - nearest) <=
+          hostile_.greatest_error * nearest + hostile_.slack(nearest)) ||
+        both[region] > (1.0 + 2.0 * hostile_.greatest_error) * nearest + hostile_.slack(both[region])) {
       hostile_.fail("a vertex in a wrong region", vertex);
     }
   }
@@ -255,7 +257,7 @@ void IndexCheck::check_quick() {
       if (!(field[v] >= 0.0)) hostile_.fail("a negative distance or none", vertex);
       if ((field[v] < unreachable) != (exact < unreachable))
         hostile_.fail("reached or not, against the components", vertex);
-      if (std::abs(field[v] - exact) > greatest_error * exact + hostile_.slack(exact))
+      if (std::abs(field[v] - exact) > hostile_.greatest_error * exact + hostile_.slack(exact))
         hostile_.fail("a quick field errs", vertex);
       hostile_.note_error(ErrorKind::quick, field[v], exact);
     }

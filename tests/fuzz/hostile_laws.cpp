@@ -334,8 +334,8 @@ void check_index_laws(HostileCase& hostile, const std::shared_ptr<const Geodesic
       return found;
     };
     const auto by_index = fields(Answer::index);
-    check_detours(hostile, "index fields", by_index, greatest_error);
-    check_detours(hostile, "quick fields", fields(Answer::quick), greatest_error);
+    check_detours(hostile, "index fields", by_index, hostile.greatest_error);
+    check_detours(hostile, "quick fields", fields(Answer::quick), hostile.greatest_error);
     check_scaled_index(hostile, by_index);
   });
 }

@@ -32,13 +32,13 @@ mkdir -p build/fuzz
 findings="build/fuzz/$program.txt"
 # Usage: run_meshes OPTIONS OF hostile_fuzz
 run_meshes() {
-  local seed vertices worst=0
+  local seed vertices status worst=0
   if [ "$named" = no ]; then
     "build/release/tests/$program" --mixed --jobs "$jobs" "$@"
     return
   fi
   while read -r seed vertices; do
-    "build/release/tests/$program" --first "$seed" --count 1 --vertices "$vertices" "$@" || worst=$?
+    "build/release/tests/$program" --first "$seed" --count 1 --vertices "$vertices" "$@" || { status=$?; ((status <= worst)) || worst=$status; }
   done < <(grep -v '^#' tests/fuzz/named_seeds.txt)
   return "$worst"
 }
