@@ -6,10 +6,13 @@
 #include <cmath>
 #include <numbers>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "mesh/mesh.h"
 #include "mesh/outliers.h"
 #include "mesh/vectors.h"
+#include "support/disjoint_sets.h"
 #include "support/parallel.h"
 #include "support/progress.h"
 
@@ -122,6 +125,38 @@ void ExactGeometry::lay_out_corners(Index vertex) {
   }
 }
 
+namespace {
+
+/// What is connected by short edges, with the number of its vertices and its shortest edge.
+class Pieces {
+ public:
+  /// Each vertex alone. `shortest`: the length of its shortest edge.
+  explicit Pieces(std::vector<double> shortest)
+      : sets_(static_cast<Index>(shortest.size())), size_(shortest.size(), 1), finest_(std::move(shortest)) {}
+
+  void join(std::array<Index, 2> ends) {
+    const auto [kept, other] = std::minmax({sets_.root(ends[0]), sets_.root(ends[1])});
+    if (kept == other) return;
+    sets_.join_at_least(kept, other);
+    size_[kept] += size_[other];
+    finest_[kept] = std::min(finest_[kept], finest_[other]);
+  }
+  bool are_apart(Index a, Index b) { return sets_.root(a) != sets_.root(b); }
+  /// Whether the piece of a has more vertices than that of b, or as many and a shorter edge.
+  bool is_larger(Index a, Index b) {
+    a = sets_.root(a);
+    b = sets_.root(b);
+    return std::tuple(size_[a], finest_[b], a) > std::tuple(size_[b], finest_[a], b);
+  }
+
+ private:
+  DisjointSets sets_;
+  std::vector<Index> size_;
+  std::vector<double> finest_;
+};
+
+}  // namespace
+
 void ExactGeometry::find_long_edges() {
   std::vector<double> shortest(mesh->vertex_count(), unreachable);
   for (const Index e : checked(mesh->edge_count())) {
@@ -130,31 +165,37 @@ void ExactGeometry::find_long_edges() {
     for (Index v : mesh->edge_vertices(e)) shortest[v] = std::min(shortest[v], length);
   }
   const double typical = mesh->typical_edge_length();
-  // Outliers may be close to each other, too, so short edges do not tell where the mesh is: positions count
-  // from the end at which most of the mesh is, and on all edges between two pieces from the same side, or
-  // windows would come back changed by rounding.
-  const Outliers outliers = find_outliers(*mesh);
-  // Between pieces of the same size, as where a tiny part makes every other edge long, from the finer one.
-  std::vector<double> finest(outliers.piece.size(), unreachable);
-  for (Index v = 0; v < static_cast<Index>(outliers.piece.size()); ++v) {
-    finest[outliers.piece[v]] = std::min(finest[outliers.piece[v]], shortest[v]);
-  }
-  auto counts_from_second = [&](Index a, Index b) {
-    if (outliers.piece.empty() || outliers.piece[a] == outliers.piece[b]) return shortest[b] < shortest[a];
-    const Index piece_a = outliers.piece[a];
-    const Index piece_b = outliers.piece[b];
-    return std::tuple(outliers.piece_size[b], finest[piece_a], piece_b) >
-           std::tuple(outliers.piece_size[a], finest[piece_b], piece_a);
+  const auto count_from_second = [&](Index e, bool second) {
+    turned.resize(mesh->edge_count(), 0);
+    fineness.resize(mesh->edge_count(), 0.0);
+    turned[e] = second;
+    fineness[e] = std::min(shortest[mesh->edge_vertices(e)[second ? 1 : 0]], typical);
   };
+  std::vector<Index> far_longer;  // than the typical edge
   for (const Index e : checked(mesh->edge_count())) {
     const auto [a, b] = mesh->edge_vertices(e);
     const double length = mesh->edge_length(e);
+    if (length > outlier_edges * typical) far_longer.push_back(e);
     const double small = std::min(shortest[a], shortest[b]);
     if (!(length > long_edge * typical || length > long_beside_small * small)) continue;
-    turned.resize(mesh->edge_count(), 0);
-    fineness.resize(mesh->edge_count(), 0.0);
-    turned[e] = counts_from_second(a, b);
-    fineness[e] = std::min(shortest[turned[e] != 0 ? b : a], typical);
+    count_from_second(e, shortest[b] < shortest[a]);
+  }
+  if (far_longer.empty()) return;
+  // Outliers may be close to each other, too, so short edges do not tell where the mesh is: positions count
+  // from the end at which most of the mesh is, and on all edges between two pieces from the same side, or
+  // windows would come back changed by rounding. A piece is what edges far shorter than the one between two
+  // connect: where a tiny part makes all others long, these still tell what an outlier is far away from.
+  Pieces pieces(shortest);
+  for (const Index e : checked(mesh->edge_count())) {
+    if (!(mesh->edge_length(e) > outlier_edges * typical)) pieces.join(mesh->edge_vertices(e));
+  }
+  std::ranges::sort(far_longer, {}, [&](Index e) { return mesh->edge_length(e); });
+  auto next = far_longer.begin();
+  for (const Index e : far_longer) {
+    const double far_shorter = mesh->edge_length(e) / outlier_edges;
+    for (; mesh->edge_length(*next) <= far_shorter; ++next) pieces.join(mesh->edge_vertices(*next));
+    const auto [a, b] = mesh->edge_vertices(e);
+    if (is_long(e) && pieces.are_apart(a, b)) count_from_second(e, pieces.is_larger(b, a));
   }
 }
 

@@ -45,12 +45,6 @@ Outliers find_outliers(const Mesh& mesh) {
     ++size[pieces.root(v)];
     ++component_size[mesh.component(v)];
   }
-  result.piece.resize(mesh.vertex_count());
-  result.piece_size.resize(mesh.vertex_count());
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    result.piece[v] = pieces.root(v);
-    result.piece_size[v] = size[result.piece[v]];
-  }
   std::vector<std::uint8_t> has_rest(mesh.component_count(), 0);
   auto is_rest = [&](Index v) {
     return size[pieces.root(v)] >= least_rest * component_size[mesh.component(v)];

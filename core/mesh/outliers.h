@@ -31,10 +31,6 @@ struct Outliers {
   std::vector<Index> group_size;
   Index count = 0;         ///< number of outliers
   Index first = no_index;  ///< the first of them
-  /// By vertex, its piece: the vertices connected to it by edges that are not far longer, named by the first
-  /// of them, and their number; empty if no edge is far longer.
-  std::vector<Index> piece;
-  std::vector<Index> piece_size;
   double least_ratio = 0.0;  ///< shortest edge between outliers and others, in typical edges
 
   bool is_outlier(Index vertex) const { return !group.empty() && group[vertex] != no_index; }

@@ -181,7 +181,8 @@ TEST(ExactFieldContract, FieldsBesideDebrisOfAScanAreTheSameFromAnyNumberOfThrea
 TEST(ExactFieldContract, FacesDividedInFourHaveTheSameDistances) {
   for (const auto& [seed, size, sources, targets] :
        {Seed{3900000397, 60, {244}}, Seed{2562, 60, {21}}, Seed{3821607430, 200, {93}},
-        Seed{3821607977, 200, {68}}, Seed{4293000663, 60, {182}}, Seed{4270002387, 60, {288}}}) {
+        Seed{3821607977, 200, {68}}, Seed{4293000663, 60, {182}}, Seed{4270002387, 60, {288}},
+        Seed{4294182366, 60, {28}}}) {
     const test::Soup soup = test::hostile_mesh(seed, size).soup;
     const auto whole = test::make_mesh(soup);
     const std::vector<double> expected = exact_distance_field(whole, sources);
