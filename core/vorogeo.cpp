@@ -499,9 +499,9 @@ VoronoiRegions voronoi(const Surface& surface, const PointList& sites, const Tas
 }
 
 Isolines isolines(const Surface& surface, const std::vector<double>& field,
-                  const std::vector<double>& levels) {
-  return translated([&] {
-    auto found = isolines(*surface.state().mesh, field, levels, Interpolation::distance);
+                  const std::vector<double>& levels, const TaskOptions& options) {
+  return ask(surface, options, [&](const Asked& at) {
+    auto found = isolines(at.mesh, field, levels, Interpolation::distance, at.options.progress);
     return Isolines{std::move(found.lines), std::move(found.level_of_segment)};
   });
 }

@@ -418,7 +418,7 @@ struct Isolines {
   std::vector<int> level;
 };
 VOROGEO_API Isolines isolines(const Surface& surface, const std::vector<double>& field,
-                              const std::vector<double>& levels);
+                              const std::vector<double>& levels, const TaskOptions& options = {});
 
 struct FarthestOptions {
   int count = 0;         ///< number of samples; 0: no such limit

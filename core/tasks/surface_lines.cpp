@@ -153,7 +153,7 @@ void require_memory_for_levels(const Mesh& mesh, std::span<const double> values,
 }
 
 Isolines isolines(const Mesh& mesh, std::span<const double> given, std::span<const double> levels,
-                  Interpolation interpolation) {
+                  Interpolation interpolation, const Progress& progress) {
   require_field_and_levels(mesh, given, levels);
   const std::vector<double> values = InputMap(mesh).on_vertices(given);
   constexpr double bytes_per_segment = 165.0;  // measured; most is for finding points and segments again
@@ -162,9 +162,10 @@ Isolines isolines(const Mesh& mesh, std::span<const double> given, std::span<con
   std::iota(order.begin(), order.end(), Index{0});
   std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return levels[a] < levels[b]; });
 
+  const Watch watch(progress, "Isolines");
   Isolines result;
   LineBuilder builder(mesh);
-  for (Index f = 0; f < mesh.face_count(); ++f) {
+  for (const Index f : checked(mesh.face_count())) {
     const auto& corners = mesh.face_vertices(f);
     const std::array<double, 3> at{values[corners[0]], values[corners[1]], values[corners[2]]};
     if (!std::isfinite(at[0] + at[1] + at[2])) continue;
@@ -180,7 +181,9 @@ Isolines isolines(const Mesh& mesh, std::span<const double> given, std::span<con
           result.level_of_point.push_back(*next);
         }
       });
-      if (ends == 2 && builder.add_segment(end[0], end[1])) result.level_of_segment.push_back(*next);
+      if (ends != 2 || !builder.add_segment(end[0], end[1])) continue;
+      result.level_of_segment.push_back(*next);
+      if (result.level_of_segment.size() % elements_per_checkpoint == 0) checkpoint();
     }
   }
   result.lines = builder.take();

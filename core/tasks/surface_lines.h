@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mesh/mesh.h"
+#include "support/progress.h"
 #include "vorogeo/results.h"
 
 namespace vorogeo {
@@ -81,9 +82,9 @@ struct Isolines {
 /// The lines on which the field has one of the levels: in each face at most one segment per level, straight
 /// between two of its edges. Faces with a value that is not finite (unreachable) hold no line.
 /// \throw InvalidInput if there are not as many values as vertices, or a level is not finite;
-/// NotEnoughMemory. Complexity: O(m log l + crossings + l log l) for l levels and m faces.
+/// NotEnoughMemory; Cancelled. Complexity: O(m log l + crossings + l log l) for l levels and m faces.
 Isolines isolines(const Mesh& mesh, std::span<const double> values, std::span<const double> levels,
-                  Interpolation interpolation);
+                  Interpolation interpolation, const Progress& progress = {});
 
 /// \throw InvalidInput if a field has not one value for each vertex that was given, or a level is not finite.
 void require_field_and_levels(const Mesh& mesh, std::span<const double> field,

@@ -227,18 +227,18 @@ QualityLevels quality_levels(const FilterCall& call, LayerSurface& layer) {
 
 Results draw_isolines(FilterCall& call) {
   const auto layer = layer_of(call);
-  const auto [field, values, interpolation] = quality_levels(call, *layer);
-  call.progress.report(0.0, "Isolines");
-  const Isolines found = isolines(*layer->mesh(), field, values, interpolation);
+  const QualityLevels levels = quality_levels(call, *layer);
+  const Isolines found = run_ticking(call.progress, "Isolines", [&](const Progress& progress) {
+    return isolines(*layer->mesh(), levels.field, levels.values, levels.interpolation, progress);
+  });
   std::vector<double> quality;
-  for (Index level : found.level_of_point) quality.push_back(values[level]);
-  call.progress.report(1.0, "Isolines");
+  for (Index level : found.level_of_point) quality.push_back(levels.values[level]);
   add_polyline_layer(call.document, call.layer, "Isolines", found.lines, quality, true);
   call.log("Isolines: " + std::to_string(found.lines.segments.size()) + " segments, " +
            logged_length(total_length(found.lines)) + " long in all");
   return {{"segments", static_cast<int>(found.lines.segments.size())},
           {"length", total_length(found.lines)},
-          {"values", as_vector(values)}};
+          {"values", as_vector(levels.values)}};
 }
 
 QString name_of_part(std::size_t region, const std::vector<double>& values) {

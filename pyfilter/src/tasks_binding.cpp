@@ -137,16 +137,12 @@ auto voronoi(const TaskOptions& options, const PythonSurface& self, const PointA
 }
 
 /// Points, edges, and the level at each point.
-auto isolines_of(const PythonSurface& self, const ValueArray& field, const ValueArray& levels,
-                 int interpolation) {
-  Isolines found;
-  {
-    nb::gil_scoped_release release;
-    found =
-        isolines(self.mesh(), values_of(field), values_of(levels), static_cast<Interpolation>(interpolation));
-  }
-  return std::tuple(to_numpy(std::move(found.lines.points)), to_numpy(std::move(found.lines.segments)),
-                    to_numpy(std::move(found.level_of_point)));
+auto isolines_of(const TaskOptions& options, const PythonSurface& self, const ValueArray& field,
+                 const ValueArray& levels, int interpolation) {
+  Isolines found = isolines(self.mesh(), values_of(field), values_of(levels),
+                            static_cast<Interpolation>(interpolation), options.progress);
+  return std::tuple(std::move(found.lines.points), std::move(found.lines.segments),
+                    std::move(found.level_of_point));
 }
 
 auto farthest(const TaskOptions& options, const PythonSurface& self, Index count, double radius,
@@ -396,7 +392,7 @@ void bind_tasks(nb::class_<PythonSurface>& surface) {
   bind_question(surface, "girth", &girth_at);
   bind_question(surface, "profile", &profile_of);
   bind_question(surface, "voronoi", &voronoi);
-  surface.def("isolines", &isolines_of);
+  bind_question(surface, "isolines", &isolines_of);
   bind_question(surface, "sample_farthest", &farthest);
   bind_question(surface, "sample_poisson_disk", &poisson_disk);
   bind_question(surface, "disk", &disk);

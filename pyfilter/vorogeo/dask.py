@@ -108,6 +108,7 @@ def matrix(
     folder: str | os.PathLike[str] | None = None,
     gap: float = 0.0,
     bridge_folds: bool = False,
+    entries: str = "fields",
 ) -> Any:
     """Distances between all vertices, or chosen ones, as a lazy dask array.
 
@@ -130,12 +131,14 @@ def matrix(
     folder : str or path, optional
         Where the index and the mesh are put for the workers, which must see it; None is a temporary folder that is
         deleted with the array.
+    entries : {"fields", "pairs"}
+        Whether rows are fields, or each entry is asked for alone, as for `GeodesicIndex.distance_matrix`.
 
     Returns
     -------
     dask.array.Array, shape (n, n) or (k, k)
-        Entry (i, j) is read from the field of i, so that it may differ from entry (j, i) by the errors of the index.
-        Infinity where no path leads. Nothing is computed yet: ``store`` or ``to_zarr`` it, or ``compute`` parts.
+        Entry (i, j) of fields is read from that of i, so that it may differ from entry (j, i) by the errors of the
+        index. Infinity where no path leads. Nothing is computed yet: ``store`` or ``to_zarr`` it, or ``compute`` parts.
 
     Notes
     -----
@@ -145,6 +148,7 @@ def matrix(
     from dask import array, delayed
 
     entry = check.real_type(dtype)
+    check.choice("entries", entries, ("fields", "pairs"))
     temporary = folder is None
     place = tempfile.mkdtemp(prefix="vorogeo-") if folder is None else os.path.abspath(folder)
     try:
@@ -157,7 +161,9 @@ def matrix(
         compute = delayed(matrix_rows, pure=True)
         parts = [
             array.from_delayed(
-                compute(files, ids[first:last], columns, entry.name, method), (last - first, len(ids)), dtype=entry
+                compute(files, ids[first:last], columns, entry.name, method, entries),
+                (last - first, len(ids)),
+                dtype=entry,
             )
             for first, last in blocks_of(len(ids), len(ids), entry.itemsize, height)
         ]

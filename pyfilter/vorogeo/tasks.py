@@ -466,7 +466,13 @@ class Tasks:
         )
         return VoronoiRegions(vertex_region, distance, face_region, area, Polylines(ends, edges), sides)
 
-    def isolines(self, field: ArrayLike, levels: ArrayLike, interpolation: str = "distance") -> Isolines:
+    def isolines(
+        self,
+        field: ArrayLike,
+        levels: ArrayLike,
+        interpolation: str = "distance",
+        progress: ProgressFunction | bool | None = None,
+    ) -> Isolines:
         """Lines on which a field has given values; their edges join points of one level.
 
         Parameters
@@ -480,7 +486,9 @@ class Tasks:
             surface is flat; linear where they differ by more than the edge's length. "linear": for any field.
         """
         values, chosen, how = self._levels(field, levels, interpolation)
-        points, edges, level = self._shared.core.isolines(values, chosen, how)
+        points, edges, level = self._ask(
+            self._shared.core.isolines, values, chosen, how, method=None, progress=progress
+        )
         return Isolines(points, edges, chosen[level])
 
     def _levels(

@@ -55,12 +55,13 @@ def test_a_cut_along_paths_leaves_the_surface_as_it_is(shape: Shape) -> None:
     assert (alone.side == -1).any()
 
 
-def test_cuts_can_be_cancelled() -> None:
+def test_lines_and_cuts_can_be_cancelled() -> None:
     shape = table.named("plane")
     surface = ask.surface(shape)
     for question in (
         lambda: surface.cut(surface.path(0, 50), progress=lambda *_: False),
         lambda: surface.cut_at_levels(shape.vertices[:, 0], 3, progress=lambda *_: False),
+        lambda: surface.isolines(shape.vertices[:, 0], 3, progress=lambda *_: False),
         lambda: surface.convex_hull([0, 50, 90, 130], progress=lambda *_: False),
         lambda: surface.path_through([0, 50, 90], guides=True, progress=lambda *_: False),
     ):

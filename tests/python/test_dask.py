@@ -83,6 +83,14 @@ def test_of_chosen_points_from_an_index_file_and_exactly(index, tmp_path):
         vorogeo_dask.matrix(tmp_path / "m.vgi", mesh=bent_grid(10, 10))
 
 
+def test_entries_of_pairs_are_those_of_the_index(index):
+    lazy = vorogeo_dask.matrix(index, points=[3, 99, 650], entries="pairs")
+    expected = [[index.distance(a, b) for b in (3, 99, 650)] for a in (3, 99, 650)]
+    np.testing.assert_array_equal(lazy.compute(scheduler="sync"), expected)
+    with pytest.raises(vorogeo.InvalidInput, match="entries: "):
+        vorogeo_dask.matrix(index, entries="rows")
+
+
 def test_workers_measure_in_the_metric_of_the_index(index, tmp_path):
     metric = vorogeo.VertexCost(1 + MESH[0][:, 0] ** 2)
     painted = vorogeo.GeodesicIndex(*MESH, patches=(4, 3), metric=metric)
