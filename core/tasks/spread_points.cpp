@@ -50,9 +50,11 @@ FarthestSamples sample_farthest(Surface& surface, const FarthestStop& stop, cons
   }
   double expected = stop.count > 0 ? stop.count : unreachable;
   if (stop.radius > 0.0) expected = std::min(expected, 1.0 / surface.reach_of(0.5 * stop.radius));
-  // The k-th sample reaches as far as the regions of k samples; this is the mean of all.
-  const double reach = reach_of_regions(expected);
-  Workers workers(surface, options, expected, std::min(1.0, reach * (1.0 - std::log(reach))));
+  // The k-th sample reaches as far as the regions of k samples. An index helps with those that reach far; the
+  // mean of these.
+  const double last = reach_of_regions(expected);
+  const double least = std::max(last, surface.short_reach());
+  Workers workers(surface, options, expected * last / least, std::min(1.0, least * (1.0 - std::log(least))));
   const auto allowed = vertices_with_face(mesh);
   FarthestSamples result;
   result.distance.assign(mesh.vertex_count(), unreachable);

@@ -46,6 +46,7 @@ void require_radius(double radius) {
 
 Workers::Workers(Surface& surface, const TaskOptions& options, double fields, double reach, bool may_be_quick)
     : surface_(surface),
+      is_free_(options.by == Answer::automatic),
       reported_(options.answered),
       progress_(options.progress),
       reach_(reach),
@@ -70,6 +71,12 @@ Workers::~Workers() {
   if (is_exact()) surface_.pay_for_fields(watch_.rent(threads()), reach_);
 }
 
+Answer Workers::by_for(std::size_t sources, double max_distance) const {
+  const double reach = static_cast<double>(sources) * surface_.reach_of(max_distance);
+  const bool is_short = is_free_ && reach <= surface_.short_reach();
+  return is_short ? Answer::exact : answered_.by;
+}
+
 Query& Workers::query(int worker) {
   auto& own = queries_[worker];
   if (!own) own = surface_.borrow();
@@ -82,7 +89,7 @@ std::vector<double> Workers::field(Index source, double max_distance, int worker
 
 std::vector<double> Workers::field(const SurfacePoint& source, double max_distance, int worker) {
   const ExactSource one{source};
-  return query(worker).field(std::span(&one, 1), max_distance, answered_.by, 1);
+  return query(worker).field(std::span(&one, 1), max_distance, by_for(1, max_distance), 1);
 }
 
 std::vector<double> Workers::distances(const SurfacePoint& source, const PointList& targets,
@@ -121,8 +128,9 @@ std::vector<double> Workers::field_on_all_threads(const PointList& sources, doub
                                                   std::vector<Index>* labels) {
   // Threads that share an exact field wait for one another: over a small part of the surface that takes
   // longer than the field.
-  const bool is_shared = !is_exact() || surface_.reach_of(max_distance) > least_shared_reach;
-  return query(0).field(as_sources(sources), max_distance, answered_.by, is_shared ? threads() : 1, labels);
+  const Answer by = by_for(sources.size(), max_distance);
+  const bool is_shared = by != Answer::exact || surface_.reach_of(max_distance) > least_shared_reach;
+  return query(0).field(as_sources(sources), max_distance, by, is_shared ? threads() : 1, labels);
 }
 
 double Workers::distance(const SurfacePoint& source, const SurfacePoint& target, int worker) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <string>
@@ -86,8 +87,12 @@ class Workers {
 
  private:
   Query& query(int worker);
+  /// What answers a field from so many sources that ends at that distance: where an index was chosen, not
+  /// asked for, an exact run over a small part of the surface is faster still.
+  Answer by_for(std::size_t sources, double max_distance) const;
 
   Surface& surface_;
+  bool is_free_;  ///< what answers was left to the surface
   Answered answered_;
   Answered* reported_;
   Progress progress_;

@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "exact/exact_solver.h"
 #include "support/error.h"
 #include "support/indexes.h"
 #include "support/memory.h"
@@ -92,6 +93,20 @@ TEST(Workers, FewOfALargeReachAreFromTheIndexAndManyOfASmallOneExact) {
   Surface surface(test::make_index(plane.soup, 3, 3), 1);
   EXPECT_FALSE(Workers(surface, {}, 10.0, 1.0).is_exact());
   EXPECT_TRUE(Workers(surface, {}, 1000.0, 0.01).is_exact());
+}
+
+TEST(Workers, ManySamplesWithAnIndexAskItForTheFirstOnes) {
+  Surface surface(test::make_index(plane.soup, 3, 3), 1);
+  Answered answered;
+  const FarthestSamples found = sample_farthest(surface, {400, 0.0}, {}, 1, {.answered = &answered});
+  EXPECT_EQ(answered.by, Answer::index);
+  ExactSolver solver(surface.mesh());
+  std::vector<ExactSource> sources;
+  for (const SurfacePoint& sample : found.points) sources.push_back({sample});
+  solver.run(sources);
+  for (Index v = 0; v < surface.mesh()->vertex_count(); ++v) {
+    ASSERT_NEAR(found.distance[v], solver.distance(v), 0.01 * found.covering_radius) << v;
+  }
 }
 
 // ---- Relaxation on a square and a rectangle, whose best points and their energy are known
