@@ -26,7 +26,7 @@ HEADING = "mesh, method | vertices | set-up (s) | rows measured | whole matrix (
 
 def options(parser: argparse.ArgumentParser) -> None:
     """Which meshes, how long."""
-    default = ["homer@6890", "fsaverage5@32492"]
+    default = ["homer@6890", "fsaverage5", "fsaverage5@32492"]
     parser.add_argument("meshes", nargs="*", default=default, metavar="MESH[@VERTICES]", help="brought to that size")
     parser.add_argument("--seconds", type=float, default=10, help="processor time of each method, without its set-up")
     parser.add_argument("--whole", action="store_true", help="our matrix to its end instead of some rows")
