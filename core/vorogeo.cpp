@@ -317,8 +317,7 @@ struct Query::State {
   /// Like Surface, answers exactly what reaches a small part of the surface.
   Answer within(double limit, std::size_t sources) const {
     if (!is_automatic || by == Answer::exact) return by;
-    const double reach = static_cast<double>(sources) * surface->reach_of(limit);
-    return reach <= surface->short_reach() ? Answer::exact : by;
+    return surface->reaches_little(sources, limit) ? Answer::exact : by;
   }
 
   std::shared_ptr<inner::Surface> surface;
@@ -498,8 +497,8 @@ VoronoiRegions voronoi(const Surface& surface, const PointList& sites, const Tas
   });
 }
 
-Isolines isolines(const Surface& surface, const std::vector<double>& field,
-                  const std::vector<double>& levels, const TaskOptions& options) {
+Isolines isolines(const Surface& surface, const std::vector<double>& field, const std::vector<double>& levels,
+                  const TaskOptions& options) {
   return ask(surface, options, [&](const Asked& at) {
     auto found = isolines(at.mesh, field, levels, Interpolation::distance, at.options.progress);
     return Isolines{std::move(found.lines), std::move(found.level_of_segment)};

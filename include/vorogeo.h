@@ -412,7 +412,8 @@ VOROGEO_API Profile profile(const Surface& surface, const Path& path, const Poin
 VOROGEO_API VoronoiRegions voronoi(const Surface& surface, const PointList& sites,
                                    const TaskOptions& options = {});
 
-/// Lines of equal value of a field at the vertices. `level` is the position of each segment's level.
+/// Lines of equal value of a field at the vertices. `level` is the position of each segment's level. \throw
+/// InvalidInput for a field of another mesh or a level that is not finite; NotEnoughMemory; Cancelled.
 struct Isolines {
   SurfaceLines lines;
   std::vector<int> level;

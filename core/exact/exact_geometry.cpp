@@ -182,9 +182,10 @@ void ExactGeometry::find_long_edges() {
   }
   if (far_longer.empty()) return;
   // Outliers may be close to each other, too, so short edges do not tell where the mesh is: positions count
-  // from the end at which most of the mesh is, and on all edges between two pieces from the same side, or
-  // windows would come back changed by rounding. A piece is what edges far shorter than the one between two
-  // connect: where a tiny part makes all others long, these still tell what an outlier is far away from.
+  // from the end at which most of the mesh is, and on edges of about one length between two pieces from the
+  // same side, or windows would come back changed by rounding. A piece is what edges far shorter than the one
+  // between two connect: where a tiny part makes all others long, these still tell what an outlier is far
+  // away from.
   Pieces pieces(shortest);
   for (const Index e : checked(mesh->edge_count())) {
     if (!(mesh->edge_length(e) > outlier_edges * typical)) pieces.join(mesh->edge_vertices(e));

@@ -29,15 +29,16 @@ struct Outliers {
   /// Outliers that share an edge are in one group.
   std::vector<Index> group;
   std::vector<Index> group_size;
-  Index count = 0;         ///< number of outliers
-  Index first = no_index;  ///< the first of them
+  Index count = 0;           ///< number of outliers
+  Index first = no_index;    ///< the first of them
   double least_ratio = 0.0;  ///< shortest edge between outliers and others, in typical edges
 
   bool is_outlier(Index vertex) const { return !group.empty() && group[vertex] != no_index; }
   Index group_of(Index vertex) const { return group.empty() ? no_index : group[vertex]; }
 };
 
-/// An edge longer than this many typical edges is far longer than the typical one.
+/// An edge longer than this many typical edges is far longer than the typical one. In general, an edge that
+/// is so many times as long as another one is far longer.
 inline constexpr double outlier_edges = 100.0;
 /// A component has outliers only if one of its pieces, connected by edges up to that length, has at least
 /// this fraction of its vertices: a mesh may also consist of fine parts joined by long edges.

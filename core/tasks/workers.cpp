@@ -68,13 +68,7 @@ Workers::~Workers() {
   for (auto& query : queries_) {
     if (query) surface_.give_back(std::move(query));
   }
-  if (is_exact()) surface_.pay_for_fields(watch_.rent(threads()), reach_);
-}
-
-Answer Workers::by_for(std::size_t sources, double max_distance) const {
-  const double reach = static_cast<double>(sources) * surface_.reach_of(max_distance);
-  const bool is_short = is_free_ && reach <= surface_.short_reach();
-  return is_short ? Answer::exact : answered_.by;
+  if (is_exact()) surface_.pay_for_fields(watch_.rent(threads()) - seconds_of_little_, reach_);
 }
 
 Query& Workers::query(int worker) {
@@ -95,7 +89,7 @@ std::vector<double> Workers::field(const SurfacePoint& source, double max_distan
 std::vector<double> Workers::distances(const SurfacePoint& source, const PointList& targets,
                                        double max_distance, int worker) {
   const ExactSource one{source};
-  return query(worker).distances(std::span(&one, 1), targets, max_distance, answered_.by);
+  return query(worker).distances(std::span(&one, 1), targets, max_distance, by_for(1, max_distance));
 }
 
 double Workers::pairs_per_field(bool only_vertices) const {
@@ -130,7 +124,10 @@ std::vector<double> Workers::field_on_all_threads(const PointList& sources, doub
   // longer than the field.
   const Answer by = by_for(sources.size(), max_distance);
   const bool is_shared = by != Answer::exact || surface_.reach_of(max_distance) > least_shared_reach;
-  return query(0).field(as_sources(sources), max_distance, by, is_shared ? threads() : 1, labels);
+  const Stopwatch watch;
+  auto found = query(0).field(as_sources(sources), max_distance, by, is_shared ? threads() : 1, labels);
+  if (surface_.reaches_little(sources.size(), max_distance)) seconds_of_little_ += watch.rent(1);
+  return found;
 }
 
 double Workers::distance(const SurfacePoint& source, const SurfacePoint& target, int worker) {

@@ -89,15 +89,18 @@ class Workers {
   Query& query(int worker);
   /// What answers a field from so many sources that ends at that distance: where an index was chosen, not
   /// asked for, an exact run over a small part of the surface is faster still.
-  Answer by_for(std::size_t sources, double max_distance) const;
+  Answer by_for(std::size_t sources, double max_distance) const {
+    return is_free_ && surface_.reaches_little(sources, max_distance) ? Answer::exact : answered_.by;
+  }
 
   Surface& surface_;
   bool is_free_;  ///< what answers was left to the surface
   Answered answered_;
   Answered* reported_;
   Progress progress_;
-  double reach_;
+  double reach_;                                 ///< of the fields that an index would save
   std::vector<std::unique_ptr<Query>> queries_;  ///< by worker
+  double seconds_of_little_ = 0.0;  ///< of field_on_all_threads() where an index would save nothing
   int uncaught_ = 0;
   Stopwatch watch_;  ///< of the answers, without the build of an index
 };

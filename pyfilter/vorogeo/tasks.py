@@ -486,9 +486,9 @@ class Tasks:
             surface is flat; linear where they differ by more than the edge's length. "linear": for any field.
         """
         values, chosen, how = self._levels(field, levels, interpolation)
-        points, edges, level = self._ask(
-            self._shared.core.isolines, values, chosen, how, method=None, progress=progress
-        )
+        by = self._method("exact")  # nothing is asked, so that `last` stays
+        with reporter(progress) as report:
+            points, edges, level, _ = self._shared.core.isolines(values, chosen, how, by, report)
         return Isolines(points, edges, chosen[level])
 
     def _levels(

@@ -8,6 +8,7 @@ import ask
 import numpy as np
 import pytest
 import table
+import vorogeo
 from surfaces import Floats, Rng, Shape
 
 
@@ -47,6 +48,24 @@ def crossed_edges(shape: Shape, field: Floats, level: float) -> set[tuple[int, i
         for a, b in (map(int, side) for side in sides)
         if (field[a] - level) * (field[b] - level) < 0
     }
+
+
+def test_isolines_can_be_cancelled_on_the_way_and_leave_what_answered_last() -> None:
+    shape = table.named("plane")
+    surface = ask.surface(shape)
+    surface.distance(0, 5)
+    last = surface.last
+    reports: list[float] = []
+
+    def until_the_third(done: float, _: str) -> bool:
+        reports.append(done)
+        return len(reports) < 3
+
+    with pytest.raises(vorogeo.Cancelled):
+        surface.isolines(shape.vertices[:, 0], 40_000, progress=until_the_third)
+    assert reports == sorted(reports)
+    surface.isolines(shape.vertices[:, 0], 3)
+    assert surface.last == last
 
 
 def test_a_number_of_levels_is_spread_evenly_between_the_least_and_the_greatest_value() -> None:

@@ -95,6 +95,22 @@ TEST(Workers, FewOfALargeReachAreFromTheIndexAndManyOfASmallOneExact) {
   EXPECT_TRUE(Workers(surface, {}, 1000.0, 0.01).is_exact());
 }
 
+TEST(Workers, FieldsOfASmallReachAreExactRunsWhereTheIndexWasNotAskedFor) {
+  Surface surface(test::make_index(test::hills(40, 0.2), 3, 4), 1);
+  constexpr double probe = 0.01;
+  const double radius = 0.99 * probe * std::sqrt(surface.short_reach() / surface.reach_of(probe));
+  Workers free(surface, {}, 10.0, 1.0);
+  Workers exact(surface, {.by = Answer::exact}, 10.0, 1.0);
+  Workers by_index(surface, {.by = Answer::index}, 10.0, 1.0);
+  int from_index = 0;
+  for (const Index source : test::random_vertices(surface.mesh()->vertex_count(), 40, 3)) {
+    const auto expected = exact.field(source, radius, 0);
+    EXPECT_EQ(free.field(source, radius, 0), expected) << source;
+    from_index += by_index.field(source, radius, 0) != expected;
+  }
+  EXPECT_GT(from_index, 0);  // in the last digit
+}
+
 TEST(Workers, ManySamplesWithAnIndexAskItForTheFirstOnes) {
   Surface surface(test::make_index(plane.soup, 3, 3), 1);
   Answered answered;
