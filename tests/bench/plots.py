@@ -90,7 +90,7 @@ def growth(results: Sequence[dict[str, Any]], file: Path) -> None:
         ("queries", "query_peak", "*"),
         ("exact", "exact_peak", "s"),
     ):
-        points = [(n, c[key] / 2**20) for n, c in core]
+        points = [(n, c[key] / 2**20) for n, c in core if c[key] > 0]  # 0: too short to be seen
         memory_axes.plot(*zip(*points, strict=True), marker=marker, label=f"VoroGeo, {label}", **own)
     for name in dict.fromkeys(name for r in results for name in r["methods"] if not name.startswith("vorogeo")):
         measured = [(r["vertices"], r["methods"][name]) for r in results if r["methods"].get(name, {}).get("field")]
