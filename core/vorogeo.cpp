@@ -317,7 +317,7 @@ struct Query::State {
   /// Like Surface, answers exactly what reaches a small part of the surface.
   Answer within(double limit, std::size_t sources) const {
     if (!is_automatic || by == Answer::exact) return by;
-    return surface->reaches_little(sources, limit) ? Answer::exact : by;
+    return surface->is_as_fast_exact(sources, limit) ? Answer::exact : by;
   }
 
   std::shared_ptr<inner::Surface> surface;

@@ -266,9 +266,9 @@ Answer Surface::rent_or_build(double fields, double reach, Answered& answered, P
     if (!spent().should_buy(next)) return Answer::exact;
     build_for_question(answered, progress);
     answered.remark = is_long ? "An index is expected to take less than the exact answers that were asked "
-                                "for: it was built and gives all further answers."
-                              : "Exact answers have taken as long as building an index: it was built and "
-                                "gives all further answers.";
+                                "for: it was built, and gives further answers where it is faster."
+                              : "Exact answers have taken as long as building an index: it was built, and "
+                                "gives further answers where it is faster.";
     return Answer::index;
   } catch (const InvalidInput& error) {
     answered.remark = std::string("No index is built, answers stay exact: ") + error.what();
@@ -318,6 +318,8 @@ LabelledField Surface::field(std::span<const ExactSource> sources, double max_di
     answered.remark = "This mesh has more than " + std::to_string(max_vertices_exact) +
                       " vertices: the field is a quick one, with an error below a tenth of a percent in the "
                       "mean; ask for the method exact or index for a better one.";
+  } else if (method == Answer::automatic && saved_of_field(reach) <= 0.0) {
+    answered.by = Answer::exact;
   } else {
     answered.by = choose(method, 1.0, reach, answered, rest);
   }

@@ -1,6 +1,7 @@
 // A mesh that answers questions without asking for an index: it builds one when that pays.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -130,9 +131,9 @@ class Surface {
   /// A field from the index takes as long as an exact one over about this part of the surface, which is the
   /// smaller the larger the mesh: what reaches no farther is exact.
   double short_reach() const;
-  /// Whether fields from so many sources, up to that distance, reach no farther.
-  bool reaches_little(std::size_t sources, double max_distance) {
-    return static_cast<double>(sources) * reach_of(max_distance) <= short_reach();
+  /// Whether a field from so many sources, up to that distance, is as fast without an index.
+  bool is_as_fast_exact(std::size_t sources, double max_distance) {
+    return saved_of_field(std::min(1.0, static_cast<double>(sources) * reach_of(max_distance))) <= 0.0;
   }
   /// Exact fields of that reach have taken so many seconds, which count towards an index; see RentOrBuy.
   void pay_for_fields(double seconds, double reach);

@@ -126,7 +126,7 @@ std::vector<double> Workers::field_on_all_threads(const PointList& sources, doub
   const bool is_shared = by != Answer::exact || surface_.reach_of(max_distance) > least_shared_reach;
   const Stopwatch watch;
   auto found = query(0).field(as_sources(sources), max_distance, by, is_shared ? threads() : 1, labels);
-  if (surface_.reaches_little(sources.size(), max_distance)) seconds_of_little_ += watch.rent(1);
+  if (surface_.is_as_fast_exact(sources.size(), max_distance)) seconds_of_little_ += watch.rent(1);
   return found;
 }
 

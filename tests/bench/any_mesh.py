@@ -13,7 +13,7 @@ MADE += ("block_city",)
 SOURCES = 6
 #: Of the page: errors in percent, of fields and pairs of an index, then of quick fields.
 HEADING = (
-    "mesh | vertices | needles | mean | p99 | long | short | pairs: mean | p99 | build | ms a vertex | bytes "
+    "mesh | vertices | needles | mean | p99 | long | short | pairs: mean | p99 | build | ms | bytes "
     "| quick: time | mean | p99 | long | short"
 )
 

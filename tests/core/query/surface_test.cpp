@@ -82,6 +82,8 @@ TEST(Surface, BuildsNoIndexForFieldsThatItWouldNotGiveSooner) {
   const SurfacePoint one = SurfacePoint::at_vertex(0);
   surface.distance(one, SurfacePoint::at_vertex(7), Answer::automatic, answered);
   EXPECT_EQ(answered.by, Answer::index) << "a pair is read from a table";
+  surface.field(from_vertices({5}), unreachable, Answer::automatic, answered);
+  EXPECT_EQ(answered.by, Answer::exact) << "a field takes as long with the index";
 }
 
 TEST(Surface, StaysExactWhereNoIndexCanBeHad) {
