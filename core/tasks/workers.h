@@ -87,8 +87,8 @@ class Workers {
 
  private:
   Query& query(int worker);
-  /// What answers a field from so many sources that ends at that distance: an index that was chosen, not asked
-  /// for, leaves those to exact runs that these give as soon.
+  /// What answers a field from so many sources that ends at that distance: an index that was chosen, not
+  /// asked for, leaves those to exact runs that these give as soon.
   Answer by_for(std::size_t sources, double max_distance) const {
     return is_free_ && surface_.is_as_fast_exact(sources, max_distance) ? Answer::exact : answered_.by;
   }
