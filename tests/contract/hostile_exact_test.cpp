@@ -15,6 +15,7 @@
 #include "exact/exact_solver.h"
 #include "index/geodesic_index.h"
 #include "mesh/metric.h"
+#include "mesh/vectors.h"
 #include "query/path_query.h"
 #include "support/hostile_meshes.h"
 #include "support/hostile_parts.h"
@@ -195,6 +196,26 @@ TEST(ExactFieldContract, FacesDividedInFourHaveTheSameDistances) {
     for (Index v = 0; v < whole->vertex_count(); ++v) {
       if (expected[v] == unreachable) continue;
       EXPECT_NEAR(field[v], expected[v], slack(*whole, expected[v]) + 1e-14 * farthest) << seed << ", " << v;
+    }
+  }
+}
+
+TEST(ExactFieldContract, OutliersCloseTogetherBesideATinyPartTakeNoDigitsFromTheRest) {
+  // A valley in the plane, filled by needles to two outliers that are nearer to each other than its vertices
+  // are; a tiny part elsewhere makes all these edges long.
+  constexpr Index count = 11;
+  test::Soup valley;
+  for (Index i = 0; i < count; ++i) valley.positions.push_back({1.0 * i, 0.1 * (i - 5) * (i - 5), 0.0});
+  valley.positions.push_back({4.995, 1e10, 0.0});
+  valley.positions.push_back({5.005, 1e10, 0.0});
+  for (Index i = 0; i + 1 < count; ++i) valley.faces.push_back({i, i + 1, i < 5 ? count : count + 1});
+  valley.faces.push_back({5, count + 1, count});
+  const test::Soup tiny = test::scaled(test::plane_grid(10, 10, 1.0, 1.0).soup, 1e-5);
+  const auto mesh = test::make_mesh(test::two_components(valley, tiny));
+  for (Index s = 0; s < count; ++s) {
+    const std::vector<double> field = exact_distance_field(mesh, std::array{s});
+    for (Index t = 0; t < count; ++t) {
+      EXPECT_NEAR(field[t], distance_between(mesh->position(s), mesh->position(t)), 1e-12) << s << ", " << t;
     }
   }
 }
